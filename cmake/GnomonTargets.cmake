@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# How every library, program and unit test of the project is declared: one standard, one set of warnings.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+add_library(gnomon_options INTERFACE)
+# No contraction: a fused multiply-add would make the C++ build of a shader module differ from the GPU.
+target_compile_options(gnomon_options INTERFACE -Wall -Wextra -Wpedantic -Wconversion -ffp-contract=off)
+if(PROJECT_IS_TOP_LEVEL)
+  target_compile_options(gnomon_options INTERFACE -Werror)
+endif()
+if(GNOMON_SANITIZE)
+  target_compile_options(gnomon_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+  target_link_options(gnomon_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+# gnomon_library(NAME name SOURCES ... [PUBLIC libs...] [PRIVATE libs...])
+# Makes gnomon::name from gnomon_name; headers are found from the folder above runner/ subfolders ("scene/scene.h").
+function(gnomon_library)
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(gnomon_${arg_NAME} STATIC ${arg_SOURCES})
+  add_library(gnomon::${arg_NAME} ALIAS gnomon_${arg_NAME})
+  target_link_libraries(gnomon_${arg_NAME} PUBLIC ${arg_PUBLIC} PRIVATE gnomon_options ${arg_PRIVATE})
+endfunction()
+
+# gnomon_unit_test(NAME name SOURCES ... LIBS ...): one GoogleTest program, known to CTest as one entry.
+function(gnomon_unit_test)
+  cmake_parse_arguments(arg "" "NAME" "SOURCES;LIBS" ${ARGN})
+  if(NOT BUILD_TESTING)
+    return()
+  endif()
+  add_executable(${arg_NAME} ${arg_SOURCES})
+  target_link_libraries(${arg_NAME} PRIVATE gnomon_options ${arg_LIBS} GTest::gtest GTest::gtest_main)
+  set_target_properties(${arg_NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/tests")
+  add_test(NAME ${arg_NAME} COMMAND ${arg_NAME})
+  set_tests_properties(${arg_NAME} PROPERTIES TIMEOUT 600)
+endfunction()

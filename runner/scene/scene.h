@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A validated scene: what a test renders and what it expects. A Scene that exists is valid.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gnomon::scene {
+
+struct FileTerrain {
+  std::string path;  ///< absolute or relative to the working directory: ready to open; inside the scene's root
+  std::optional<std::string> channel;
+};
+struct InlineTerrain {
+  int width = 0, height = 0;
+  std::vector<double> heights;  ///< row-major, north row first, stored units (times vertical_scale: metres)
+};
+struct ProceduralTerrain {
+  std::string kind;
+  int width = 256, height = 256;
+  std::uint32_t seed = 0;
+  std::map<std::string, double> parameters;
+};
+
+struct Terrain {
+  std::variant<FileTerrain, InlineTerrain, ProceduralTerrain> source;
+  std::optional<std::array<double, 2>> spacing;  ///< metres per sample (x, y); absent: 1 m
+  double vertical_scale = 1.0;
+};
+
+/// Either angles in degrees, or a direction towards the sun that `load` has turned into angles.
+struct Sun {
+  double azimuth = 315.0;    ///< degrees clockwise from grid north, in [0, 360)
+  double elevation = 45.0;   ///< degrees above the horizon, in [-90, 90]
+};
+
+/// One pixel per height sample, or `size` pixels over the whole map.
+struct MapCamera {
+  std::optional<std::array<int, 2>> size;  ///< width, height in pixels
+};
+
+struct Shadow {
+  std::string method = "multilevel";
+  int q = 0;
+  double k_dark = 0.2;
+  double k_bright = 0.6;
+  double receiver_height = 0.0;  ///< metres above the surface of the level, >= 0
+};
+
+struct GoldenExpectation {
+  double max_mismatch = 0;
+  std::map<std::string, double> tolerance;  ///< absolute, by channel; absent: 0
+  bool band = true;
+  std::optional<std::string> unproven;
+};
+struct ReferenceExpectation {
+  double max_mismatch = 0;
+  std::optional<std::array<double, 2>> mismatch;  ///< a share in [min, max] that is known to be wrong
+  std::optional<int> level;
+};
+struct ProbeExpectation {
+  int x = 0, y = 0;
+  std::map<std::string, double> values;  ///< by channel
+};
+struct MaxStepsExpectation {
+  double limit = 0;
+};
+using Expectation = std::variant<GoldenExpectation, ReferenceExpectation, ProbeExpectation, MaxStepsExpectation>;
+
+struct Scene {
+  std::string id;           ///< "a/b" or "a/b@elevation=10,q=2"
+  std::string file;         ///< the scene file, as given
+  std::string golden_file;  ///< where this test's golden lives, whether or not it exists
+  std::string description;
+  std::string canonical_json;  ///< the whole scene after matrix and --set, keys sorted: what the scene hash covers
+  std::vector<std::string> overrides;  ///< the --set arguments (KEY=VALUE) that were applied, for the reproduce command
+  Terrain terrain;
+  Sun sun;
+  MapCamera camera;
+  Shadow shadow;
+  std::vector<Expectation> expect;
+};
+
+}  // namespace gnomon::scene
