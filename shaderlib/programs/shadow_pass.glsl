@@ -18,7 +18,6 @@ uniform vec3 u_to_sun;            // unit vector, x east, y north, z up
 uniform vec2 u_k;                 // k_dark, k_bright
 uniform int u_q;
 uniform int u_step_limit;
-uniform ivec2 u_first_pixel;      // of the tile that is drawn
 
 // b_shadow, k_shadow, steps, cause (GNOMON_CAUSE_...)
 layout(location = 0) out vec4 o_shadow;
@@ -35,7 +34,6 @@ GnomonMap pass_map() {
 
 // Pixel (x, y) looks at s = (x + 0.5) / width, t = (y + 0.5) / height of the map, row 0 in the north.
 GnomonReceiver pass_receiver() {
-  vec2 pixel = vec2(ivec2(gl_FragCoord.xy) + u_first_pixel) + vec2(0.5);
   vec2 at = pixel * u_texels_per_pixel;
   return gnomon_receiver_at(at.x, at.y, u_receiver_height);
 }

@@ -21,10 +21,10 @@ enum class Failure {
 
 /// One located message. `line` and `column` count from 1; 0 means that the file as a whole is meant.
 struct Diagnostic {
-  std::string file;     ///< path as the user gave it, "--set KEY", or empty
+  std::string file{};     ///< path as the user gave it, "--set KEY", or empty
   int line = 0;         ///< 1-based, 0 = none
   int column = 0;       ///< 1-based, in bytes, 0 = none
-  std::string message;  ///< one sentence: what happened, what was expected, what to do
+  std::string message{};  ///< one sentence: what happened, what was expected, what to do
   Failure failure = Failure::kInvalid;
   bool warning = false;              ///< reported, but nothing fails because of it
   std::vector<std::string> notes{};  ///< further lines, such as the include chain

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Two-dimensional float textures.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "gnomon/diagnostic.h"
+
+namespace gnomon::gl {
+
+enum class Format { kR32F, kRgba32F };
+
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+
+/// Move-only owner of an immutable, nearest-filtered texture that is clamped to its edge.
+class Texture {
+ public:
+  /// `levels` mip levels of which each halves the one above, rounded down. Fails with kInvalid where a side
+  /// exceeds the driver's limit (the message names it) and with kMachine where memory runs out.
+  [[nodiscard]] static Result<Texture> create(Format format, Size size, int levels = 1);
+
+  Texture(Texture&& other) noexcept;
+  Texture& operator=(Texture&& other) noexcept;
+  ~Texture();
+
+  [[nodiscard]] unsigned name() const { return name_; }
+  [[nodiscard]] int levels() const { return levels_; }
+  [[nodiscard]] Size size(int level = 0) const { return {size_.width >> level, size_.height >> level}; }
+
+  /// Fills level 0; row-major, first row at texel row 0. Needs width * height * components values.
+  void upload(std::span<const float> values);
+  /// All values of a level, row-major.
+  [[nodiscard]] std::vector<float> download(int level = 0) const;
+
+ private:
+  Texture(unsigned name, Format format, Size size, int levels)
+      : name_(name), format_(format), size_(size), levels_(levels) {}
+  unsigned name_ = 0;
+  Format format_ = Format::kR32F;
+  Size size_;
+  int levels_ = 1;
+};
+
+}  // namespace gnomon::gl
