@@ -9,15 +9,16 @@
 
 namespace gnomon::oracle {
 
-/// A view of one level of a height map. Sample (row i, column j) lies at column j + 0.5, row i + 0.5 (texels from the
-/// west and north edge); bilinear in between, clamped to the edge, over 0..domain_width x 0..domain_height texels.
+/// A view of one level of a height map. Sample (row i, column j) lies at column j + 0.5, row i + 0.5 (texels
+/// from the west and north edge); bilinear in between, clamped to the edge, over 0..domain_width x
+/// 0..domain_height texels.
 struct Surface {
   int width = 0;
   int height = 0;
-  double spacing_x = 1.0;    ///< metres per texel
-  double spacing_y = 1.0;    ///< metres per texel
-  double domain_width = 0;   ///< texels; at most `width`
-  double domain_height = 0;  ///< texels; at most `height`
+  double spacing_x = 1.0;          ///< metres per texel
+  double spacing_y = 1.0;          ///< metres per texel
+  double domain_width = 0;         ///< texels; at most `width`
+  double domain_height = 0;        ///< texels; at most `height`
   std::span<const float> samples;  ///< row-major, row 0 = north, metres
 };
 
@@ -40,20 +41,23 @@ struct GroundDirection {
 /// Height of the surface at (column, row), metres.
 [[nodiscard]] double surface_height(const Surface& surface, double column, double row);
 
-/// H* = sup over d > 0 of (h(d) - h0) / d (d in metres along the ground towards the sun, within the domain, h0 the
-/// receiver's own height); -infinity where no surface lies ahead.
-[[nodiscard]] double horizon_slope(const Surface& surface, const Receiver& receiver, GroundDirection towards_sun);
+/// H* = sup over d > 0 of (h(d) - h0) / d (d in metres along the ground towards the sun, within the domain,
+/// h0 the receiver's own height); -infinity where no surface lies ahead.
+[[nodiscard]] double horizon_slope(const Surface& surface, const Receiver& receiver,
+                                   GroundDirection towards_sun);
 
-/// atan(H*) in radians for many receivers at once, -pi/2 where nothing lies ahead. `threads` <= 0: one per core.
+/// atan(H*) in radians for many receivers at once, -pi/2 where nothing lies ahead. `threads` <= 0: one per
+/// core.
 [[nodiscard]] std::vector<double> horizons(const Surface& surface, std::span<const Receiver> receivers,
                                            GroundDirection towards_sun, int threads = 0);
 
-/// The definition of shadow: elevation <= 0: always; zenith (>= 90 degrees): never; else horizon strictly above.
+/// The definition of shadow: elevation <= 0: always; zenith (>= 90 degrees): never; else horizon strictly
+/// above.
 [[nodiscard]] bool in_shadow(double horizon_radians, double elevation_degrees);
 
-/// Half-width in radians of the band around the horizon in which single precision may decide either way: 1e-5 for
-/// receivers on a sample of the base map, on the ground, where no slope between neighbouring samples exceeds 50; else
-/// 1e-4.
+/// Half-width in radians of the band around the horizon in which single precision may decide either way: 1e-5
+/// for receivers on a sample of the base map, on the ground, where no slope between neighbouring samples
+/// exceeds 50; else 1e-4.
 [[nodiscard]] double band_width(bool on_samples_of_base_map, double receiver_height, double steepest_slope);
 
 /// Whether |horizon - elevation| is within the band; never for elevation <= 0 and at the zenith.
