@@ -7,9 +7,13 @@
 
 namespace gnomon::terrain {
 
-/// A level of a height map (level 0 is the map itself). Sample (row i, column j) lies at column j + 0.5, row i + 0.5,
-/// in texels of this level from the west and the north edge. The surface is the bilinear interpolation of the samples,
-/// clamped to the edge, over 0..domain_width x 0..domain_height.
+/// Largest absolute height that a map may have, metres: the sum of four still fits in a float, so every level
+/// is finite.
+constexpr double kHighestHeight = 8.5e37;
+
+/// A level of a height map (level 0 is the map itself). Sample (row i, column j) lies at column j + 0.5, row
+/// i + 0.5, in texels of this level from the west and the north edge. The surface is the bilinear
+/// interpolation of the samples, clamped to the edge, over 0..domain_width x 0..domain_height.
 struct HeightMap {
   int width = 0;             ///< samples from west to east, >= 1
   int height = 0;            ///< samples from north to south, >= 1
@@ -17,10 +21,12 @@ struct HeightMap {
   double spacing_y = 1.0;    ///< metres between samples, north to south
   double domain_width = 0;   ///< texels of this level; `width` at level 0, base width / 2^q at level q
   double domain_height = 0;  ///< texels of this level; `height` at level 0, base height / 2^q at level q
-  std::vector<float> samples;  ///< width * height heights in metres, row-major, row 0 = north; every one is finite
+  std::vector<float>
+      samples;  ///< width * height heights in metres, row-major, row 0 = north; every one is finite
 
   [[nodiscard]] float at(int row, int column) const {
-    return samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column)];
+    return samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                   static_cast<std::size_t>(column)];
   }
 };
 
