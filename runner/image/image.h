@@ -15,8 +15,8 @@ namespace gnomon::image {
 struct Image {
   int width = 0;
   int height = 0;
-  std::map<std::string, std::vector<float>> channels;     ///< by name: b_shadow, k_shadow, q, steps, valid, ...
-  std::map<std::string, std::string> attributes;          ///< header strings, such as gnomon:scene; kept by EXR
+  std::map<std::string, std::vector<float>> channels;  ///< by name: b_shadow, k_shadow, q, steps, valid, ...
+  std::map<std::string, std::string> attributes;       ///< header strings, such as gnomon:scene; kept by EXR
 
   [[nodiscard]] std::size_t pixels() const {
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -27,13 +27,14 @@ struct Image {
   }
 };
 
-/// Every channel as float, by its own name (OpenImageIO sorts them; order carries no meaning), and string attributes.
-/// Integer files (PNG) give the stored numbers. Fails: missing, unreadable, truncated, not an image.
+/// Every channel as float, by its own name (OpenImageIO sorts them; order carries no meaning), and string
+/// attributes. Integer files (PNG) give the stored numbers. Fails: missing, unreadable, truncated, not an
+/// image.
 [[nodiscard]] Result<Image> read_image(const std::string& path);
 
-/// Writes all channels as 32-bit float (compression: zip) with the attributes; byte-identical for equal input (no
-/// clock, no host name in the header). Atomic: a temporary file beside `path`, renamed at the end; on failure
-/// (Failure::kMachine) the older file stays. Fails too if a value is not finite.
+/// Writes all channels as 32-bit float (compression: zip) with the attributes; byte-identical for equal input
+/// (no clock, no host name in the header). Atomic: a temporary file beside `path`, renamed at the end; on
+/// failure (Failure::kMachine) the older file stays. Fails too if a value is not finite.
 [[nodiscard]] Result<Done> write_exr(const std::string& path, const Image& image);
 
 /// An 8-bit RGB picture; rows from the top, 3 bytes a pixel.
@@ -45,6 +46,7 @@ struct Picture {
 [[nodiscard]] Result<Done> write_png(const std::string& path, const Picture& picture);
 
 /// One float channel as a 32-bit TIFF. Atomic like write_exr.
-[[nodiscard]] Result<Done> write_tiff(const std::string& path, const Image& image, const std::string& channel);
+[[nodiscard]] Result<Done> write_tiff(const std::string& path, const Image& image,
+                                      const std::string& channel);
 
 }  // namespace gnomon::image
