@@ -22,7 +22,7 @@ struct LoadOptions {
 
 struct LoadedHeightMap {
   HeightMap map;
-  std::vector<std::string> notes;  ///< what a user should know, such as an assumed spacing
+  std::vector<std::string> notes{};  ///< what a user should know, such as an assumed spacing
 };
 
 /// Stored number (integer images) or value (float images) times vertical_scale, combined in double, rounded
