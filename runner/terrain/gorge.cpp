@@ -42,7 +42,7 @@ class RiverSystem {
   /// length.
   River meander(const RiverPoint& from, const RiverPoint& to, int depth) {
     if (depth == 0) return {from, to};
-    const double sideways = 0.4 * (random() - 0.5);
+    const double sideways = 0.5 * (random() - 0.5);
     const RiverPoint middle{0.5 * (from.east + to.east) - sideways * (to.south - from.south),
                             0.5 * (from.south + to.south) + sideways * (to.east - from.east),
                             0.5 * (from.bed + to.bed)};
@@ -55,7 +55,7 @@ class RiverSystem {
   /// Tributaries join at regular intervals, from alternate sides, against the flow; they end where they reach
   /// the plateau.
   void branch(River river, double length, int generations) {
-    const std::size_t interval = river.size() / (generations == 2 ? 7 : 4);
+    const std::size_t interval = river.size() / (generations == 2 ? 11 : 5);
     double side = random() < 0.5 ? -1.0 : 1.0;
     for (std::size_t i = interval; generations > 0 && i + 1 < river.size(); i += interval, side = -side) {
       const RiverPoint& joint = river[i];
@@ -67,7 +67,7 @@ class RiverSystem {
       const double reach = length * (0.6 + 0.4 * random());
       const RiverPoint head{joint.east + reach * (along * upstream_east - across * upstream_south),
                             joint.south + reach * (along * upstream_south + across * upstream_east), 0.95};
-      branch(meander(joint, head, generations == 2 ? 6 : 5), 0.4 * length, generations - 1);
+      branch(meander(joint, head, generations == 2 ? 6 : 5), 0.45 * length, generations - 1);
     }
     rivers_.push_back(std::move(river));
   }
@@ -139,7 +139,7 @@ Heights gorge(const Grid& grid, const Parameters& parameters) {
   const double side = std::min(grid.width_metres(), grid.height_metres());
   const double depth = parameters.at("depth");
   const double layers = parameters.at("terraces");
-  const double wall_slope = 1.0 / (0.16 * side);
+  const double wall_slope = 1.0 / (0.1 * side);
 
   // Beyond 1 the V goes on above the plateau, so that the noise below can widen the canyon as well as narrow
   // it.
@@ -149,7 +149,7 @@ Heights gorge(const Grid& grid, const Parameters& parameters) {
     for (std::size_t i = 0; i + 1 < river.size(); ++i)
       carve(grid, river[i], river[i + 1], wall_slope, heights);
 
-  const Heights gullies = rough(grid, 0.12 * side, hash(grid.seed ^ 0x67u), 6);
+  const Heights gullies = rough(grid, 0.1 * side, hash(grid.seed ^ 0x67u), 6);
   const Heights plateau = rough(grid, 0.6 * side, hash(grid.seed ^ 0x70u), 5);
   for (std::size_t i = 0; i < heights.size(); ++i) {
     const double wall = heights[i] + 0.3 * gullies[i] * std::min(1.0, heights[i]);

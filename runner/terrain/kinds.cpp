@@ -90,7 +90,7 @@ std::vector<KindRule> make_rules() {
       {"gorge",
        "A plateau with a branching, meandering canyon whose walls are terraced.",
        gorge,
-       {depth(0.12, "Depth of the canyon below the plateau."),
+       {depth(0.08, "Depth of the canyon below the plateau."),
         {"terraces", "1", "Number of cliffs between rim and river.", 5, kOne, 1, 64, true}}},
       {"checker",
        "Squares, high and low in turn.",
