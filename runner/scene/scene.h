@@ -13,7 +13,8 @@
 namespace gnomon::scene {
 
 struct FileTerrain {
-  std::string path;  ///< absolute or relative to the working directory: ready to open; inside the scene's root
+  /// Ready to open: absolute or relative to the working directory; inside the scene's root.
+  std::string path;
   std::optional<std::string> channel;
 };
 struct InlineTerrain {
@@ -35,8 +36,8 @@ struct Terrain {
 
 /// Either angles in degrees, or a direction towards the sun that `load` has turned into angles.
 struct Sun {
-  double azimuth = 315.0;    ///< degrees clockwise from grid north, in [0, 360)
-  double elevation = 45.0;   ///< degrees above the horizon, in [-90, 90]
+  double azimuth = 315.0;   ///< degrees clockwise from grid north, in [0, 360)
+  double elevation = 45.0;  ///< degrees above the horizon, in [-90, 90]
 };
 
 /// One pixel per height sample, or `size` pixels over the whole map.
@@ -70,15 +71,20 @@ struct ProbeExpectation {
 struct MaxStepsExpectation {
   double limit = 0;
 };
-using Expectation = std::variant<GoldenExpectation, ReferenceExpectation, ProbeExpectation, MaxStepsExpectation>;
+using Expectation =
+    std::variant<GoldenExpectation, ReferenceExpectation, ProbeExpectation, MaxStepsExpectation>;
 
 struct Scene {
   std::string id;           ///< "a/b" or "a/b@elevation=10,q=2"
   std::string file;         ///< the scene file, as given
   std::string golden_file;  ///< where this test's golden lives, whether or not it exists
   std::string description;
-  std::string canonical_json;  ///< the whole scene after matrix and --set, keys sorted: what the scene hash covers
-  std::vector<std::string> overrides;  ///< the --set arguments (KEY=VALUE) that were applied, for the reproduce command
+  /// What determines the image, after matrix and --set, defaults filled in, keys sorted: what the scene hash
+  /// covers. Without description and expectations; a terrain file is named by its path below the root, its
+  /// content is not in it.
+  std::string canonical_json;
+  /// The --set arguments (KEY=VALUE) that were applied, for the reproduce command.
+  std::vector<std::string> overrides;
   Terrain terrain;
   Sun sun;
   MapCamera camera;

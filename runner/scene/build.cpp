@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: MIT
+#include "scene/build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <numbers>
+
+#include "scene/suggest.h"
+
+namespace gnomon::scene {
+namespace {
+
+using json::child;
+using json::Value;
+
+int integer(const Value& value) {
+  const std::int64_t wide = std::get<std::int64_t>(value.data);
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(
+      std::clamp(wide, -kMost, kMost));  // the schema's ranges are narrower, or checked later
+}
+
+std::array<int, 2> integer_pair(const Value& value) {
+  return {integer(value.array()[0]), integer(value.array()[1])};
+}
+
+void read_number(const Value& object, const char* key, double& number) {
+  if (const Value* value = object.find(key)) number = value->number();
+}
+
+/// Reports a name that is not among the known ones.
+void check_name(const std::string& noun, const std::string& name, const std::vector<std::string>& known,
+                json::Place place, const std::string& pointer, Report& report) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  const std::string nearest = did_you_mean(name, known);
+  report.error(place, pointer,
+               "unknown " + noun + " \"" + name + "\"" +
+                   (nearest.empty() ? "; expected one of " + quoted_list(known) : nearest));
+}
+
+void check_channel(const json::Member& member, const std::string& pointer, const Vocabulary& vocabulary,
+                   Report& report) {
+  if (vocabulary.channels.empty()) return;
+  check_name("channel", member.key, vocabulary.channels, member.place, child(pointer, member.key), report);
+}
+
+InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& report) {
+  const std::string pointer = "/terrain/heights";
+  const json::Array& rows = heights.array();
+  InlineTerrain terrain{static_cast<int>(rows[0].array().size()), static_cast<int>(rows.size()), {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const json::Array& row = rows[i].array();
+    if (row.size() != rows[0].array().size()) {
+      report.error(rows[i].place, child(pointer, i),
+                   "this row has " + std::to_string(row.size()) + " heights, the first one " +
+                       std::to_string(terrain.width) + "; expected rows of equal length");
+    }
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      terrain.heights.push_back(row[j].number());
+      if (std::abs(row[j].number() * vertical_scale) <= std::numeric_limits<float>::max()) continue;
+      report.error(row[j].place, child(child(pointer, i), j),
+                   "the height is infinite in single precision; expected at most 3.4e38 m");
+    }
+  }
+  return terrain;
+}
+
+FileTerrain read_file(const Value& terrain, const BuildContext& context, std::string& below_root,
+                      Report& report) {
+  const Value& file = *terrain.find("file");
+  const std::string folder = std::filesystem::path(context.file).parent_path().generic_string();
+  const Result<InsideFile> inside = resolve_inside(context.project, folder, file.text());
+  if (!inside) {
+    report.error(file.place, "/terrain/file", inside.diagnostics().front().message);
+    return {};
+  }
+  below_root = inside->below_root;
+  FileTerrain result{inside->path, std::nullopt};
+  if (const Value* channel = terrain.find("channel")) result.channel = channel->text();
+  return result;
+}
+
+ProceduralTerrain read_procedural(const Value& terrain, const Vocabulary& vocabulary, Report& report) {
+  ProceduralTerrain result;
+  const Value& kind = *terrain.find("procedural");
+  result.kind = kind.text();
+  std::vector<std::string> kinds;
+  for (const auto& [name, parameters] : vocabulary.kinds) kinds.push_back(name);
+  check_name("kind of procedural map", result.kind, kinds, kind.place, "/terrain/procedural", report);
+  if (const Value* size = terrain.find("size")) {
+    result.width = integer_pair(*size)[0];
+    result.height = integer_pair(*size)[1];
+  }
+  if (const Value* seed = terrain.find("seed")) {
+    result.seed = static_cast<std::uint32_t>(std::get<std::int64_t>(seed->data));
+  }
+  const auto known = vocabulary.kinds.find(result.kind);
+  const Value* parameters = terrain.find("parameters");
+  if (!parameters || known == vocabulary.kinds.end()) return result;
+  for (const json::Member& parameter : parameters->object()) {
+    check_name("parameter of " + result.kind, parameter.key, known->second, parameter.place,
+               child("/terrain/parameters", parameter.key), report);
+    result.parameters[parameter.key] = parameter.value.number();
+  }
+  return result;
+}
+
+Terrain read_terrain(const Value& value, const BuildContext& context, std::string& below_root,
+                     Report& report) {
+  Terrain terrain;
+  read_number(value, "vertical_scale", terrain.vertical_scale);
+  if (const Value* spacing = value.find("spacing")) {
+    const json::Array* pair = spacing->get_if<json::Array>();
+    terrain.spacing = pair ? std::array{(*pair)[0].number(), (*pair)[1].number()}
+                           : std::array{spacing->number(), spacing->number()};
+  }
+  if (const Value* heights = value.find("heights")) {
+    terrain.source = read_heights(*heights, terrain.vertical_scale, report);
+  } else if (value.find("file")) {
+    terrain.source = read_file(value, context, below_root, report);
+  } else {
+    terrain.source = read_procedural(value, context.vocabulary, report);
+  }
+  return terrain;
+}
+
+/// An angle in [0, 360).
+double compass(double degrees) {
+  const double turned = std::fmod(degrees, 360.0);
+  const double positive = turned < 0 ? turned + 360.0 : turned;
+  return positive < 360.0 ? positive : 0.0;
+}
+
+Sun sun_towards(const Value& direction, Report& report) {
+  std::array<double, 3> v{};
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = direction.array()[i].number();
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (largest == 0) {
+    report.error(direction.place, "/sun/direction",
+                 "the direction has no length; expected a vector towards the sun");
+    return {};
+  }
+  for (double& component : v) component /= largest;  // keeps the squares from overflowing
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  return {compass(std::atan2(v[0], v[1]) * kDegrees), std::atan2(v[2], std::hypot(v[0], v[1])) * kDegrees};
+}
+
+Sun read_sun(const Value* value, Report& report) {
+  Sun sun;
+  if (!value) return sun;
+  if (const Value* direction = value->find("direction")) return sun_towards(*direction, report);
+  read_number(*value, "azimuth", sun.azimuth);
+  read_number(*value, "elevation", sun.elevation);
+  sun.azimuth = compass(sun.azimuth);
+  return sun;
+}
+
+Shadow read_shadow(const Value* value, const Vocabulary& vocabulary, Report& report) {
+  Shadow shadow;
+  if (!value) return shadow;
+  if (const Value* method = value->find("method")) {
+    shadow.method = method->text();
+    check_name("shadow method", shadow.method, vocabulary.methods, method->place, "/shadow/method", report);
+  }
+  if (const Value* q = value->find("q")) shadow.q = integer(*q);
+  read_number(*value, "k_dark", shadow.k_dark);
+  read_number(*value, "k_bright", shadow.k_bright);
+  read_number(*value, "receiver_height", shadow.receiver_height);
+  return shadow;
+}
+
+Expectation read_golden(const Value& value, const std::string& pointer, const Vocabulary& vocabulary,
+                        Report& report) {
+  GoldenExpectation golden;
+  read_number(value, "max_mismatch", golden.max_mismatch);
+  if (const Value* band = value.find("band")) golden.band = std::get<bool>(band->data);
+  if (const Value* unproven = value.find("unproven")) golden.unproven = unproven->text();
+  if (const Value* tolerance = value.find("tolerance")) {
+    for (const json::Member& member : tolerance->object()) {
+      check_channel(member, child(pointer, "tolerance"), vocabulary, report);
+      golden.tolerance[member.key] = member.value.number();
+    }
+  }
+  return golden;
+}
+
+Expectation read_reference(const Value& value, const std::string& pointer, Report& report) {
+  ReferenceExpectation reference;
+  read_number(value, "max_mismatch", reference.max_mismatch);
+  if (const Value* level = value.find("level")) reference.level = integer(*level);
+  if (const Value* mismatch = value.find("mismatch")) {
+    reference.mismatch = {mismatch->array()[0].number(), mismatch->array()[1].number()};
+    if ((*reference.mismatch)[0] > (*reference.mismatch)[1]) {
+      report.error(mismatch->place, child(pointer, "mismatch"),
+                   "expected [least, greatest], got " + dump(*mismatch));
+    }
+    if (value.find("max_mismatch")) {
+      report.error(mismatch->place, child(pointer, "mismatch"),
+                   "\"mismatch\" does not go together with \"max_mismatch\": give one or the other");
+    }
+  }
+  return reference;
+}
+
+Expectation read_probe(const Value& value, const std::string& pointer, const Vocabulary& vocabulary,
+                       Report& report) {
+  const std::array<int, 2> at = integer_pair(*value.find("at"));
+  ProbeExpectation probe{at[0], at[1], {}};
+  for (const json::Member& member : value.object()) {
+    if (member.key == "at") continue;
+    check_channel(member, pointer, vocabulary, report);
+    probe.values[member.key] = member.value.number();
+  }
+  return probe;
+}
+
+Expectation read_expectation(const Value& value, const std::string& pointer, const Vocabulary& vocabulary,
+                             Report& report) {
+  const json::Member& only = value.object().front();
+  const std::string inner = child(pointer, only.key);
+  if (only.key == "golden") return read_golden(only.value, inner, vocabulary, report);
+  if (only.key == "reference") return read_reference(only.value, inner, report);
+  if (only.key == "probe") return read_probe(only.value, inner, vocabulary, report);
+  return MaxStepsExpectation{only.value.number()};
+}
+
+/// What determines the image, with every default filled in, so that a scene hash changes if and only if that
+/// does.
+std::string canonical_json(const Scene& scene, const std::string& file_below_root) {
+  const auto object = [](std::initializer_list<std::pair<const char*, Value>> members) {
+    Value result{json::Object{}};
+    for (const auto& [key, value] : members) result.set(key, value);
+    return result;
+  };
+  const auto pair = [](auto values) { return Value{json::Array{Value{values[0]}, Value{values[1]}}}; };
+  const auto size = [&](int width, int height) { return pair(std::array<std::int64_t, 2>{width, height}); };
+  Value terrain{json::Object{}};
+  if (const auto* file = std::get_if<FileTerrain>(&scene.terrain.source)) {
+    terrain.set("file", {file_below_root});
+    if (file->channel) terrain.set("channel", {*file->channel});
+  } else if (const auto* heights = std::get_if<InlineTerrain>(&scene.terrain.source)) {
+    json::Array values;
+    for (const double height : heights->heights) values.push_back({height});
+    terrain = object({{"size", size(heights->width, heights->height)}, {"heights", {std::move(values)}}});
+  } else {
+    const auto& procedural = std::get<ProceduralTerrain>(scene.terrain.source);
+    Value parameters{json::Object{}};
+    for (const auto& [name, value] : procedural.parameters) parameters.set(name, {value});
+    terrain = object({{"procedural", {procedural.kind}},
+                      {"size", size(procedural.width, procedural.height)},
+                      {"seed", {static_cast<std::int64_t>(procedural.seed)}},
+                      {"parameters", parameters}});
+  }
+  const bool has_default = !terrain.find("file");  // a file without spacing may bring its own
+  if (scene.terrain.spacing || has_default)
+    terrain.set("spacing", pair(scene.terrain.spacing.value_or(std::array{1.0, 1.0})));
+  terrain.set("vertical_scale", {scene.terrain.vertical_scale});
+  Value map{json::Object{}};
+  if (scene.camera.size) map.set("size", size((*scene.camera.size)[0], (*scene.camera.size)[1]));
+  return dump(
+      object({{"terrain", terrain},
+              {"sun", object({{"azimuth", {scene.sun.azimuth}}, {"elevation", {scene.sun.elevation}}})},
+              {"camera", object({{"map", map}})},
+              {"shadow", object({{"method", {scene.shadow.method}},
+                                 {"q", {std::int64_t{scene.shadow.q}}},
+                                 {"k_dark", {scene.shadow.k_dark}},
+                                 {"k_bright", {scene.shadow.k_bright}},
+                                 {"receiver_height", {scene.shadow.receiver_height}}})}}));
+}
+
+}  // namespace
+
+Scene build_scene(const Value& root, const BuildContext& context, Report& report) {
+  Scene scene;
+  std::string file_below_root;
+  scene.file = context.file;
+  if (const Value* description = root.find("description")) scene.description = description->text();
+  if (const Value* terrain = root.find("terrain")) {
+    scene.terrain = read_terrain(*terrain, context, file_below_root, report);
+  }
+  scene.sun = read_sun(root.find("sun"), report);
+  const Value* camera = root.find("camera");
+  if (const Value* size = camera ? camera->find("map")->find("size") : nullptr)
+    scene.camera.size = integer_pair(*size);
+  scene.shadow = read_shadow(root.find("shadow"), context.vocabulary, report);
+  const Value* expect = root.find("expect");
+  for (std::size_t i = 0; expect && i < expect->array().size(); ++i) {
+    scene.expect.push_back(
+        read_expectation(expect->array()[i], child("/expect", i), context.vocabulary, report));
+  }
+  scene.canonical_json = canonical_json(scene, file_below_root);
+  return scene;
+}
+
+std::vector<SizeProblem> size_problems(const Scene& scene, std::array<int, 2> map_size) {
+  std::vector<SizeProblem> problems;
+  const auto text = [](std::array<int, 2> size) {
+    return std::to_string(size[0]) + "x" + std::to_string(size[1]);
+  };
+  int coarsest = 0;
+  while ((std::int64_t{1} << coarsest) < std::max(map_size[0], map_size[1])) ++coarsest;
+  const auto check_level = [&](int level, const std::string& pointer) {
+    if (level <= coarsest) return;
+    problems.push_back({pointer, "level " + std::to_string(level) +
+                                     " does not exist; the coarsest level of a " + text(map_size) +
+                                     " map is L = " + std::to_string(coarsest)});
+  };
+  check_level(scene.shadow.q, "/shadow/q");
+  const std::array<int, 2> image = scene.camera.size.value_or(map_size);
+  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
+    const std::string pointer = child("/expect", i);
+    if (const auto* reference = std::get_if<ReferenceExpectation>(&scene.expect[i]);
+        reference && reference->level) {
+      check_level(*reference->level, pointer + "/reference/level");
+    }
+    const auto* probe = std::get_if<ProbeExpectation>(&scene.expect[i]);
+    if (!probe || (probe->x < image[0] && probe->y < image[1])) continue;
+    problems.push_back({pointer + "/probe/at", "the pixel [" + std::to_string(probe->x) + ", " +
+                                                   std::to_string(probe->y) + "] lies outside the " +
+                                                   text(image) + " image (counted from 0)"});
+  }
+  return problems;
+}
+
+std::optional<std::array<int, 2>> map_size(const Scene& scene, const Vocabulary& vocabulary) {
+  if (const auto* heights = std::get_if<InlineTerrain>(&scene.terrain.source)) {
+    return std::array{heights->width, heights->height};
+  }
+  if (const auto* procedural = std::get_if<ProceduralTerrain>(&scene.terrain.source)) {
+    return std::array{procedural->width, procedural->height};
+  }
+  const auto& file = std::get<FileTerrain>(scene.terrain.source);
+  return vocabulary.file_size && !file.path.empty() ? vocabulary.file_size(file) : std::nullopt;
+}
+
+}  // namespace gnomon::scene

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The "matrix" of a scene: one document for each combination of values.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/edit.h"
+#include "scene/json.h"
+#include "scene/report.h"
+
+namespace gnomon::scene {
+
+/// One test's document and what tells it from its siblings.
+struct Combination {
+  json::Value root;                                          ///< without "matrix"
+  std::string suffix;                                        ///< "@elevation=10,q=2", or "" without a matrix
+  std::vector<std::pair<std::string, std::string>> aliases;  ///< see Report::set_aliases
+};
+
+class Matrix {
+ public:
+  /// `root` may hold a "matrix", whose shape has been reported on; further mistakes in it go to `report`. An
+  /// override wins over an axis of the same key, which then is left out.
+  Matrix(json::Value root, std::vector<Override> overrides, Report& report);
+
+  /// How many combinations there are; 1 without a matrix, some of them after an error.
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// Combination `index`; the last axis runs fastest.
+  [[nodiscard]] Combination at(std::size_t index) const;
+
+  /// Whether an axis changes something below this key of the scene.
+  [[nodiscard]] bool changes(const std::string& section) const;
+
+ private:
+  struct Axis {
+    std::string key;
+    std::string name;  ///< as in a test's id
+    json::Place key_place;
+    json::Array values;
+    std::vector<std::string> labels;  ///< of each value, as in a test's id
+  };
+
+  void read_axes(const json::Object& members, Report& report);
+  void drop_overridden_axes(Report& report);
+  void name_axes(Report& report);
+  [[nodiscard]] std::vector<std::size_t> choices(std::size_t index) const;
+
+  json::Value root_;
+  std::vector<Override> overrides_;
+  std::vector<Axis> axes_;
+  std::size_t size_ = 1;
+};
+
+}  // namespace gnomon::scene

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "scene/report.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace gnomon::scene {
+namespace {
+
+/// More would hide the first ones; a file with so many mistakes is not a scene.
+constexpr std::size_t kMostErrors = 100;
+
+}  // namespace
+
+void Report::error(json::Place place, const std::string& pointer, const std::string& message) {
+  const std::string shown = place.source == 0 ? as_written(pointer) : pointer;
+  add({Diagnostic{sources_[static_cast<std::size_t>(place.source)], place.line, place.column,
+                  shown.empty() ? message : shown + ": " + message}});
+}
+
+void Report::add(const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (diagnostics_.size() >= kMostErrors) {
+      ++left_out_;
+    } else if (seen_.insert(to_string(diagnostic)).second) {
+      diagnostics_.push_back(diagnostic);
+    }
+  }
+}
+
+Diagnostics Report::take() {
+  std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+  });
+  if (left_out_ > 0) {
+    diagnostics_.push_back({sources_.front(), 0, 0, "further errors are left out; correct the first ones"});
+  }
+  return std::move(diagnostics_);
+}
+
+std::string Report::as_written(const std::string& pointer) const {
+  for (auto alias = aliases_.rbegin(); alias != aliases_.rend();
+       ++alias) {  // a later axis may lie inside an earlier one
+    const auto& [prefix, written] = *alias;
+    const bool below =
+        pointer.starts_with(prefix) && (pointer.size() == prefix.size() || pointer[prefix.size()] == '/');
+    if (below) return written + pointer.substr(prefix.size());
+  }
+  return pointer;
+}
+
+}  // namespace gnomon::scene
