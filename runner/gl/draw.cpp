@@ -3,12 +3,8 @@
 
 #include <glad/gl.h>
 
-#include <algorithm>
-
 namespace gnomon::gl {
 namespace {
-
-constexpr int kTile = 1024;  // pixels a side
 
 class Framebuffer {
  public:
@@ -67,14 +63,7 @@ Result<Done> draw(const Pass& pass) {
   glViewport(0, 0, size.width, size.height);
   glUseProgram(pass.program->name());
   bind_inputs(pass);
-  glEnable(GL_SCISSOR_TEST);
-  for (int y = 0; y < size.height; y += kTile) {
-    for (int x = 0; x < size.width; x += kTile) {
-      glScissor(x, y, std::min(kTile, size.width - x), std::min(kTile, size.height - y));
-      glDrawArrays(GL_TRIANGLES, 0, 3);
-      glFlush();
-    }
-  }
+  glDrawArrays(GL_TRIANGLES, 0, 3);
   glFinish();
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return Done{};

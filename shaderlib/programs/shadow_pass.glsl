@@ -18,6 +18,7 @@ uniform vec3 u_to_sun;            // unit vector, x east, y north, z up
 uniform vec2 u_k;                 // k_dark, k_bright
 uniform int u_q;
 uniform int u_step_limit;
+uniform vec2 u_first_pixel;      // of the tile that is drawn
 
 // b_shadow, k_shadow, steps, cause (GNOMON_CAUSE_...)
 layout(location = 0) out vec4 o_shadow;

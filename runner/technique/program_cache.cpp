@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include "technique/program_cache.h"
+
+#include <xxhash.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+namespace gnomon::technique {
+namespace {
+
+std::string hash_text(const std::string& text) {
+  char digits[17];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(XXH3_64bits(text.data(), text.size())));
+  return digits;
+}
+
+}  // namespace
+
+Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
+  const auto path = [&](const std::string& name) {
+    return (std::filesystem::path(options_.library_directory) / name).lexically_normal().string();
+  };
+  const Result<compiler::Assembled> vertex = compiler::build(path("programs/fullscreen.vert"), options_);
+  if (!vertex) return vertex.diagnostics();
+  const Result<compiler::Assembled> pixel = compiler::build(path(fragment), options_);
+  if (!pixel) return pixel.diagnostics();
+  Result<gl::Program> program = gl::Program::link(fragment, vertex->text, pixel->text);
+  if (!program) return program.diagnostics();
+  return CachedProgram{std::move(program).value(), hash_text(pixel->text)};
+}
+
+Result<const CachedProgram*> ProgramCache::get(const std::string& fragment) {
+  if (const auto it = programs_.find(fragment); it != programs_.end()) return &it->second;
+  Result<CachedProgram> made = make(fragment);
+  if (!made) return made.diagnostics();
+  return &programs_.emplace(fragment, std::move(made).value()).first->second;
+}
+
+}  // namespace gnomon::technique

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// Programs of the shader library, assembled, validated and linked once.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gl/program.h"
+#include "gnomon/compiler/compiler.h"
+#include "gnomon/diagnostic.h"
+
+namespace gnomon::technique {
+
+struct CachedProgram {
+  gl::Program program;
+  std::string source_hash;  ///< of the assembled text, 16 hexadecimal digits: a golden's provenance
+};
+
+/// Needs a current GL context for as long as it lives.
+class ProgramCache {
+ public:
+  explicit ProgramCache(compiler::Options options) : options_(std::move(options)) {}
+
+  /// `fragment` is a path below the shader library, "programs/multilevel.frag", or an absolute one. Fails with what is
+  /// wrong in the shader, at its own file and line.
+  [[nodiscard]] Result<const CachedProgram*> get(const std::string& fragment);
+
+ private:
+  [[nodiscard]] Result<CachedProgram> make(const std::string& fragment) const;
+
+  compiler::Options options_;
+  std::map<std::string, CachedProgram> programs_;
+};
+
+}  // namespace gnomon::technique

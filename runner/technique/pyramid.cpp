@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "technique/pyramid.h"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "gl/draw.h"
+
+namespace gnomon::technique {
+namespace {
+
+/// Levels above this one hold blocks of more than 128 patches, which a ray that climbs one level at a time hardly ever
+/// reaches; stopping here keeps the padding below 128 patches a side.
+constexpr int kTopLevel = 7;
+
+int ceil_div(int a, int b) { return (a + b - 1) / b; }
+
+/// Mip sizes are halved rounding down: sides that are multiples of 2^(levels - 1) lose no block.
+gl::Size extrema_size(glm::ivec2 patches, int levels) {
+  const int top_block = 1 << levels;
+  const int below = 1 << (levels - 1);
+  return {ceil_div(patches.x, top_block) * below, ceil_div(patches.y, top_block) * below};
+}
+
+int level_count(glm::ivec2 patches) {
+  const auto longest = static_cast<unsigned>(std::max(patches.x, patches.y));
+  return std::clamp(static_cast<int>(std::bit_width(longest - 1)), 1, kTopLevel);
+}
+
+Result<gl::Texture> upload(const terrain::HeightMap& base) {
+  Result<gl::Texture> heights = gl::Texture::create(gl::Format::kR32F, {base.width, base.height});
+  if (heights) heights->upload(base.samples);
+  return heights;
+}
+
+Result<gl::Texture> coarser(const gl::Program& program, const gl::Texture& finer) {
+  const gl::Size from = finer.size();
+  Result<gl::Texture> heights =
+      gl::Texture::create(gl::Format::kR32F, {ceil_div(from.width, 2), ceil_div(from.height, 2)});
+  if (!heights) return heights;
+  const Result<Done> drawn = gl::draw({.program = &program,
+                                       .uniforms = {},
+                                       .samplers = {{.name = "gnomon_heights", .texture = &finer}},
+                                       .target = &heights.value()});
+  if (!drawn) return drawn.diagnostics();
+  return heights;
+}
+
+Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture& heights) {
+  const glm::ivec2 patches(heights.size().width + 1, heights.size().height + 1);
+  const int levels = level_count(patches);
+  Result<gl::Texture> extrema = gl::Texture::create(gl::Format::kR32F, extrema_size(patches, levels), levels);
+  if (!extrema) return extrema;
+  for (int level = 1; level <= levels; ++level) {
+    // Only the levels below are visible to the shader: reading the one that is drawn would be undefined.
+    const Result<Done> drawn = gl::draw(
+        {.program = &program,
+         .uniforms = {{"u_level", level}},
+         .samplers = {{.name = "gnomon_heights", .texture = &heights},
+                      {.name = "gnomon_extrema", .texture = &extrema.value(), .last_level = std::max(level - 2, 0)}},
+         .target = &extrema.value(),
+         .target_level = level - 1});
+    if (!drawn) return drawn.diagnostics();
+  }
+  return extrema;
+}
+
+}  // namespace
+
+Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q) {
+  const Result<const CachedProgram*> program = programs.get("programs/level.frag");
+  if (!program) return program.diagnostics();
+  Result<gl::Texture> heights = upload(base);
+  for (int level = 0; level < q && heights; ++level) heights = coarser((*program)->program, heights.value());
+  return heights;
+}
+
+Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& base, int q) {
+  Result<gl::Texture> heights = build_level(programs, base, q);
+  if (!heights) return heights.diagnostics();
+  const Result<const CachedProgram*> program = programs.get("programs/extrema.frag");
+  if (!program) return program.diagnostics();
+  Result<gl::Texture> extrema = build_extrema((*program)->program, heights.value());
+  if (!extrema) return extrema.diagnostics();
+  const std::vector<float> top = extrema->download(extrema->levels() - 1);
+  const gl::Size size = heights->size();
+  const double scale = 1.0 / static_cast<double>(1 << q);
+  return Pyramid{.heights = std::move(heights).value(),
+                 .extrema = std::move(extrema).value(),
+                 .q = q,
+                 .size = {size.width, size.height},
+                 .domain = glm::vec2(glm::dvec2(base.domain_width, base.domain_height) * scale),
+                 .spacing = glm::vec2(glm::dvec2(base.spacing_x, base.spacing_y) / scale),
+                 .highest = *std::max_element(top.begin(), top.end())};
+}
+
+}  // namespace gnomon::technique

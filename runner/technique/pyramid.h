@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// H_q and its block maxima as textures, built on the GPU for any map size and level.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "gl/texture.h"
+#include "gnomon/diagnostic.h"
+#include "technique/program_cache.h"
+#include "terrain/height_map.h"
+
+namespace gnomon::technique {
+
+/// One level of a map on the GPU; what programs/shadow_pass.glsl and host/r32f.glsl ask for.
+struct Pyramid {
+  gl::Texture heights;  ///< R32F, H_q
+  gl::Texture extrema;  ///< R32F, mip level k: maxima over blocks of 2^(k + 1) x 2^(k + 1) patches
+  int q = 0;
+  glm::ivec2 size{};     ///< samples of H_q
+  glm::vec2 domain{};    ///< texels of H_q
+  glm::vec2 spacing{};   ///< metres a texel of H_q
+  float highest = 0;     ///< metres
+
+  [[nodiscard]] int top_level() const { return extrema.levels(); }
+};
+
+/// H_q alone: its heights as a texture.
+[[nodiscard]] Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q);
+
+/// Fails where the map is larger than the driver's textures (naming the limit) or memory runs out.
+[[nodiscard]] Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& base, int q);
+
+}  // namespace gnomon::technique

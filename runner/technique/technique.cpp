@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "technique/technique.h"
+
+#include <algorithm>
+
+namespace gnomon::technique {
+
+const std::vector<Technique>& techniques() {
+  static const std::vector<Technique> table = {
+      {"multilevel", "programs/multilevel.frag", "exact hard shadow over a pyramid of patch maxima", true},
+      {"brute_force", "programs/brute_force.frag", "exact hard shadow, every patch under the ray", false},
+      {"reference", "", "the double-precision oracle, no GL", false},
+  };
+  return table;
+}
+
+const Technique* find_technique(const std::string& name) {
+  const auto& table = techniques();
+  const auto it = std::find_if(table.begin(), table.end(), [&](const Technique& t) { return t.name == name; });
+  return it == table.end() ? nullptr : &*it;
+}
+
+}  // namespace gnomon::technique

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The table of shadow methods. A new one is a program in shaderlib/programs and a row here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gnomon::technique {
+
+struct Technique {
+  std::string name;         ///< what scenes and --method call it
+  std::string program;      ///< fragment program below the shader library; empty: computed on the CPU by the oracle
+  std::string description;  ///< one sentence
+  bool uses_extrema;        ///< whether the block maxima have to be built first
+};
+
+/// Every method, the default one first.
+[[nodiscard]] const std::vector<Technique>& techniques();
+
+/// The method of that name, or null.
+[[nodiscard]] const Technique* find_technique(const std::string& name);
+
+}  // namespace gnomon::technique

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The exact methods as C++, against the double-precision oracle.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <numbers>
+#include <random>
+
+#include "oracle/oracle.h"
+#include "terrain/level.h"
+#include "terrain/procedural.h"
+#include "testing/cpp_modules.h"
+
+namespace {
+
+using glm::vec3;
+using gnomon::terrain::HeightMap;
+namespace oracle = gnomon::oracle;
+
+struct Asked {
+  float column, row;
+  double elevation;  // degrees
+};
+
+/// Rays that share an azimuth and a receiver height, so that the oracle answers them together.
+struct Batch {
+  double azimuth = 0;  // degrees
+  float height = 0;    // metres above the ground
+  bool on_samples = false;
+  std::vector<Asked> rays;
+  std::vector<double> horizons;  // radians
+  double band = 0;               // radians
+};
+
+HeightMap make(const std::string& kind, int width, int height) {
+  return gnomon::terrain::make_procedural(
+             {.kind = kind, .width = width, .height = height, .seed = 3, .spacing_x = 10, .spacing_y = 10})
+      .value();
+}
+
+oracle::Surface surface_of(const HeightMap& map) {
+  return {map.width,        map.height,        map.spacing_x, map.spacing_y,
+          map.domain_width, map.domain_height, map.samples};
+}
+
+vec3 to_sun(double azimuth, double elevation) {
+  const auto ground = oracle::ground_direction(azimuth);
+  const double angle = elevation * std::numbers::pi / 180;
+  return vec3(ground.east * std::cos(angle), ground.north * std::cos(angle), std::sin(angle));
+}
+
+double azimuth_of(int number, double random) {
+  if (number % 5 == 0) return 90.0 * std::floor(4 * random);
+  if (number % 5 == 1) return 45.0 + 90.0 * std::floor(4 * random);
+  return 360.0 * random;
+}
+
+/// Batch `number` of a map: azimuths on axes, on diagonals and odd ones, receivers at 0, 0.5 and 50 m, on
+/// samples and between them.
+Batch make_batch(const HeightMap& map, double steepest, int number, int rays) {
+  std::mt19937 random(static_cast<unsigned>(1000 + number));
+  std::uniform_real_distribution<double> unit(0, 1);
+  Batch batch{.azimuth = azimuth_of(number, unit(random)),
+              .height = std::array{0.0F, 0.5F, 50.0F}[static_cast<std::size_t>(number / 5 % 3)],
+              .on_samples = number % 2 == 0 && map.domain_width == map.width};
+  std::vector<oracle::Receiver> receivers;
+  for (int i = 0; i < rays; ++i) {
+    Asked asked{static_cast<float>(unit(random) * map.domain_width),
+                static_cast<float>(unit(random) * map.domain_height), 0.1 + 89.8 * std::pow(unit(random), 3)};
+    if (batch.on_samples) {
+      asked.column = std::floor(std::min(asked.column, static_cast<float>(map.width - 1))) + 0.5F;
+      asked.row = std::floor(std::min(asked.row, static_cast<float>(map.height - 1))) + 0.5F;
+    }
+    batch.rays.push_back(asked);
+    receivers.push_back({asked.column, asked.row, batch.height});
+  }
+  batch.horizons = oracle::horizons(surface_of(map), receivers, oracle::ground_direction(batch.azimuth));
+  batch.band = oracle::band_width(batch.on_samples, batch.height, steepest);
+  return batch;
+}
+
+struct Tally {
+  int rays = 0, in_band = 0, wrong = 0, undecided = 0;
+};
+
+void ask(const glsl::GnomonMap& map, const Batch& batch, const Asked& asked, double horizon, Tally& tally) {
+  const glsl::GnomonReceiver receiver = glsl::gnomon_receiver_at(asked.column, asked.row, batch.height);
+  const vec3 sun = to_sun(batch.azimuth, asked.elevation);
+  const glsl::GnomonShadow answer = glsl::gnomon_multilevel(map, receiver, sun, 0, glsl::step_limit(map));
+  const glsl::GnomonShadow brute = glsl::gnomon_brute_force(map, receiver, sun, 0, glsl::step_limit(map));
+  tally.rays += 1;
+  tally.undecided += answer.cause == GNOMON_CAUSE_UNDECIDED || brute.cause == GNOMON_CAUSE_UNDECIDED;
+  if (oracle::in_band(horizon, asked.elevation, batch.band)) {
+    tally.in_band += 1;
+    return;
+  }
+  const bool expected = oracle::in_shadow(horizon, asked.elevation);
+  if ((answer.shadow > 0.5F) == expected && (brute.shadow > 0.5F) == expected) return;
+  if (++tally.wrong <= 3) {
+    ADD_FAILURE() << map.size.x << " x " << map.size.y << " at (" << asked.column << ", " << asked.row
+                  << ") + " << batch.height << " m, azimuth " << batch.azimuth << ", elevation "
+                  << asked.elevation << ", horizon " << horizon * 180 / std::numbers::pi << ": expected "
+                  << expected << ", multilevel " << answer.shadow << ", brute force " << brute.shadow;
+  }
+}
+
+class ExactShadow : public testing::TestWithParam<const char*> {};
+
+TEST_P(ExactShadow, AgreesWithTheOracleOutsideTheBandAtEveryLevel) {
+  Tally tally;
+  const HeightMap base = make(GetParam(), 133, 70);
+  for (int q = 0; q <= gnomon::terrain::coarsest_level(base.width, base.height); ++q) {
+    const HeightMap map = gnomon::terrain::level(base, q);
+    const glsl::GnomonMap glsl_map = glsl::use_map(map);
+    const double steepest = oracle::steepest_slope(surface_of(map));
+    for (int number = 0; number < 30; ++number) {
+      const Batch batch = make_batch(map, steepest, number, 200);
+      for (std::size_t i = 0; i < batch.rays.size(); ++i) {
+        ask(glsl_map, batch, batch.rays[i], batch.horizons[i], tally);
+      }
+    }
+  }
+  std::cout << GetParam() << ": " << tally.rays << " rays, " << tally.wrong << " mismatches, "
+            << tally.in_band << " in band\n";
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_EQ(tally.undecided, 0);
+  EXPECT_LT(tally.in_band, tally.rays / 20);
+}
+
+// A thousand times as sharp as random suns: each ray asks at its own horizon, half a percent beyond the band.
+TEST_P(ExactShadow, IsOnTheRightSideOfItsOwnHorizon) {
+  Tally tally;
+  const HeightMap map = make(GetParam(), 333, 700);
+  const glsl::GnomonMap glsl_map = glsl::use_map(map);
+  const double steepest = oracle::steepest_slope(surface_of(map));
+  for (int number = 0; number < 240; ++number) {
+    const Batch batch = make_batch(map, steepest, number, 500);
+    for (std::size_t i = 0; i < batch.rays.size(); ++i) {
+      for (const double side : {-1.005, 1.005}) {
+        Asked asked = batch.rays[i];
+        asked.elevation = (batch.horizons[i] + side * batch.band) * 180 / std::numbers::pi;
+        if (asked.elevation > 0 && asked.elevation < 90)
+          ask(glsl_map, batch, asked, batch.horizons[i], tally);
+      }
+    }
+  }
+  std::cout << GetParam() << " at its own horizon: " << tally.rays << " rays, " << tally.wrong
+            << " on the wrong side\n";
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_EQ(tally.in_band, 0);
+  EXPECT_GE(tally.rays, 100000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, ExactShadow,
+                         testing::Values("fractal", "gorge", "spikes", "steps", "posts", "crater"),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(Multilevel, EndsOnDegenerateMapsAndSuns) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}}) {
+    const HeightMap map{width,
+                        height,
+                        1,
+                        1,
+                        double(width),
+                        double(height),
+                        std::vector<float>(std::size_t(width * height), 1.0F)};
+    const glsl::GnomonMap glsl_map = glsl::use_map(map);
+    for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+      for (const double elevation : {0.0, 1e-4, 45.0, 89.9999, 90.0}) {
+        for (float column = 0; column <= static_cast<float>(width); column += 0.5F) {
+          const auto receiver = glsl::gnomon_receiver_at(column, 0.5F * static_cast<float>(height), 0);
+          const auto answer = glsl::gnomon_multilevel(glsl_map, receiver, to_sun(azimuth, elevation), 0,
+                                                      glsl::step_limit(glsl_map));
+          EXPECT_NE(answer.cause, GNOMON_CAUSE_UNDECIDED);
+          EXPECT_EQ(answer.shadow, elevation <= 0 ? 1.0F : 0.0F);
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
