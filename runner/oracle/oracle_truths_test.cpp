@@ -136,7 +136,8 @@ TEST_F(Cone, EdgesOfTheShadowAreTheTangentsFromTheTip) {
     // cone.
     const double within = (tip - behind) * std::sin(half_angle) - std::abs(aside) * std::cos(half_angle);
     if (std::abs(within) < 1.5) continue;
-    const bool expected = within > 0 && behind > 0;
+    const bool expected =
+        within > 0 && behind > kFoot * std::sin(half_angle);  // behind the points of contact
     shaded_points += expected;
     EXPECT_EQ(shaded(map_, receiver, azimuth, elevation), expected)
         << behind << " " << aside << " " << elevation;
