@@ -12,18 +12,18 @@ namespace gnomon {
 
 /// Which exit code a failure leads to (see docs/cli.md, "Exit codes").
 enum class Failure {
-  kFailed = 1,       ///< a test failed, images differ, a shader does not compile
-  kInvalid = 2,      ///< wrong usage; an input that is unreadable, invalid or unsupported
-  kSkipped = 77,     ///< a required capability is missing
-  kMachine = 99,     ///< no GL context, disk full, output not writable
-  kInterrupted = 130 ///< stopped by the user
+  kFailed = 1,        ///< a test failed, images differ, a shader does not compile
+  kInvalid = 2,       ///< wrong usage; an input that is unreadable, invalid or unsupported
+  kSkipped = 77,      ///< a required capability is missing
+  kMachine = 99,      ///< no GL context, disk full, output not writable
+  kInterrupted = 130  ///< stopped by the user
 };
 
 /// One located message. `line` and `column` count from 1; 0 means that the file as a whole is meant.
 struct Diagnostic {
   std::string file{};     ///< path as the user gave it, "--set KEY", or empty
-  int line = 0;         ///< 1-based, 0 = none
-  int column = 0;       ///< 1-based, in bytes, 0 = none
+  int line = 0;           ///< 1-based, 0 = none
+  int column = 0;         ///< 1-based, in bytes, 0 = none
   std::string message{};  ///< one sentence: what happened, what was expected, what to do
   Failure failure = Failure::kInvalid;
   bool warning = false;              ///< reported, but nothing fails because of it
@@ -63,12 +63,12 @@ struct Done {};
 /// "PATH:LINE:COL: error: TEXT" (gcc style), followed by one line for each note.
 [[nodiscard]] inline std::string to_string(const Diagnostic& d) {
   std::string text = d.file;
-  if (d.line > 0) text += ":" + std::to_string(d.line);
-  if (d.line > 0 && d.column > 0) text += ":" + std::to_string(d.column);
+  if (d.line > 0) text.append(":").append(std::to_string(d.line));
+  if (d.line > 0 && d.column > 0) text.append(":").append(std::to_string(d.column));
   if (!text.empty()) text += ": ";
   text += d.warning ? "warning: " : "error: ";
   text += d.message;
-  for (const std::string& note : d.notes) text += "\n  " + note;
+  for (const std::string& note : d.notes) text.append("\n  ").append(note);
   return text;
 }
 

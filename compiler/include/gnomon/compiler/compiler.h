@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The shader compiler as a library: assembles includes, validates with glslang, reports at the original file and line.
+// The shader compiler as a library: assembles includes, validates with glslang, reports at the original file
+// and line. Usable any number of times in a process, after failures too; not from several threads at once.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gnomon/diagnostic.h"
@@ -11,6 +13,16 @@
 namespace gnomon::compiler {
 
 enum class Stage { kVertex, kFragment, kGeometry, kCompute };
+
+/// A stage and how people name it. A new stage is one row of the table in src/target.cpp.
+struct StageName {
+  Stage stage;
+  std::string name;  ///< "frag": the value of --stage and, after a dot, the file's extension
+};
+[[nodiscard]] const std::vector<StageName>& stages();
+
+/// The stage by extension (.vert .frag .geom .comp), none for other files.
+[[nodiscard]] std::optional<Stage> stage_of(const std::string& path);
 
 /// The dialects and formats that `build` writes. A new target is one row of the table in src/target.cpp.
 struct Target {
@@ -25,36 +37,80 @@ struct Define {
   std::string value;  ///< "1" where the user gave none
 };
 
+/// Reads "NAME" or "NAME=VALUE". Fails (kInvalid) for a name that is not an identifier or that GLSL reserves
+/// (gl_..., GL_..., a double underscore, `defined`), and for a value that would reach beyond its own line.
+[[nodiscard]] Result<Define> parse_define(std::string_view text);
+
 struct Options {
-  std::string library_directory;         ///< the folder that <gnomon/...> names; its `core/`, `relief/` ...
+  std::string library_directory;  ///< the folder that <gnomon/...> names; its `core/`, `relief/` ...
   std::vector<std::string> include_directories;  ///< -I, in order
-  std::vector<Define> defines;           ///< -D, in order
+  std::vector<Define> defines;                   ///< -D, in order; from parse_define
   std::string target = "glsl450";
-  std::optional<Stage> stage;            ///< absent: from the file's extension
+  std::optional<Stage> stage;  ///< absent: from the file's extension
+};
+
+/// One inlining of a file into the text. The main file is inclusion 0.
+struct Inclusion {
+  int file = 0;     ///< index into Assembled::files
+  int parent = -1;  ///< index into Assembled::inclusions of the file with the #include, -1 for the main file
+  int line = 0;     ///< 1-based line of that #include
 };
 
 /// Where a line of the assembled text comes from.
 struct LineOrigin {
-  int file = 0;  ///< index into Assembled::files
-  int line = 0;  ///< 1-based
+  int inclusion = 0;  ///< index into Assembled::inclusions
+  int line = 0;       ///< 1-based; 0 for a line that stands for a -D option
 };
 
-/// One self-contained source text. `origins[n]` belongs to line n + 1 of `text`.
+/// One self-contained source text without #include and #line. `origins[n]` belongs to line n + 1 of `text`.
 struct Assembled {
   std::string text;
-  std::vector<std::string> files;  ///< every file read, the main one first; what a depfile names
+  std::vector<std::string> files;  ///< every file read, the main one first, each once; what a depfile names
+  std::vector<Inclusion> inclusions;
   std::vector<LineOrigin> origins;
+  Diagnostics warnings{};  ///< from build and check, located like errors
 };
 
-/// The stage by extension (.vert .frag .geom .comp), none for other files.
-[[nodiscard]] std::optional<Stage> stage_of(const std::string& path);
+/// A failure (kFailed) at line `line` (1-based) of the assembled text, located at its original file and line
+/// with the include chain as notes. Lines outside the text mean the nearest one. For messages of a driver or
+/// another compiler.
+[[nodiscard]] Diagnostic locate(const Assembled& assembled, int line, std::string message);
 
-/// Inlines includes, replaces #version by the target's, puts the defines after it. Fails (Failure::kInvalid) where
-/// `path` itself cannot be read, (Failure::kFailed) for a missing include, a cycle, an unterminated conditional.
+/// Inlines includes, replaces #version by the target's, puts the defines after it.
+/// * `#include "x"` is looked for beside the including file, then in `include_directories`; `<gnomon/x>` in
+/// the library,
+///   then in `include_directories`; any other `<x>` there only.
+/// * Conditionals are left to the GLSL compiler, so an include inside one is inlined whether it holds or not;
+/// only what
+///   stands under a literal `#if 0` is left alone. A file that includes itself, at whatever distance, is an
+///   error.
+/// * A file wrapped in an include guard is inlined where it is first included outside of all conditionals,
+/// and not again.
+/// * Lines joined by a backslash become one line; #line and the #extension of include directives are dropped.
+/// Fails (kInvalid) where `path` itself cannot be read or the target is unknown, (kFailed) for a missing
+/// include, a cycle, an unterminated conditional or comment, bytes that are not UTF-8 text.
 [[nodiscard]] Result<Assembled> assemble(const std::string& path, const Options& options);
 
-/// assemble + validation by glslang for the target. Fails (kFailed) with one clean first error at its original file and
-/// line, the include chain in the notes. A file without main() is kInvalid ("use gnomonc check").
+/// assemble + validation by glslang for the target. Fails (kFailed) with one clean first error at its
+/// original file and line, the include chain in the notes. A file without main() is kInvalid ("use gnomonc
+/// check"), so is one whose stage neither its extension nor the options tell.
+///
+/// A loop without a bound is an error in a file below the library directory, a warning elsewhere. Bounded is
+/// a `for`
+/// * that initialises its counter and steps it in its header (++ and += upwards, -- and -= downwards, or any
+/// other
+///   assignment), and does not modify it in its body;
+/// * whose condition compares that counter by < <= > >= != with an expression that the loop does not modify
+/// and that
+///   calls no function of the shader; other conditions may be joined to the comparison by &&.
+/// Every `while` and `do` counts as unbounded. What a called function does to globals is not followed.
 [[nodiscard]] Result<Assembled> build(const std::string& path, const Options& options);
+
+/// Like build, but also takes a file without main(), a module, alone (as a fragment shader where nothing
+/// tells the stage): a generated entry point calls every function that it and its includes define, with
+/// arguments that the compiler cannot know, and uses every result, so that nothing is dropped as unused;
+/// functions that are declared but not defined (the host's) get a body. The result is the text that was
+/// validated.
+[[nodiscard]] Result<Assembled> check(const std::string& path, const Options& options);
 
 }  // namespace gnomon::compiler

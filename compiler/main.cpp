@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <span>
+
+#include "cli/command_line.h"
+#include "gnomon/atomic_file.h"
+#include "gnomon/compiler/modules.h"
+#include "gnomon/library_location.h"
+
+namespace {
+
+using namespace gnomon;
+
+int report(const Diagnostics& diagnostics, cli::ErrorFormat format) {
+  int code = 0;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    std::fprintf(stderr, "%s\n", cli::format(diagnostic, format).c_str());
+    if (!diagnostic.warning) code = std::max(code, static_cast<int>(diagnostic.failure));
+  }
+  return code;
+}
+
+Result<Done> print(const std::string& text) {
+  const bool whole =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (whole) return Done{};
+  return Diagnostic{.message = "cannot write to standard output", .failure = Failure::kMachine};
+}
+
+Result<Done> write(const compiler::Assembled& shader, const std::string& path) {
+  if (path.empty()) return print(shader.text);
+  std::error_code ignored;
+  for (const std::string& source : shader.files) {
+    if (std::filesystem::equivalent(source, path, ignored)) {
+      return Diagnostic{.file = path, .message = "is a source of this shader: write to another file"};
+    }
+  }
+  return write_file_atomically(path, std::as_bytes(std::span(shader.text)));
+}
+
+int build(const cli::Command& command) {
+  const auto shader = compiler::build(command.files.front(), command.options);
+  if (!shader) return report(shader.diagnostics(), command.error_format);
+  report(shader->warnings, command.error_format);
+  const auto written = write(*shader, command.output);
+  return written ? 0 : report(written.diagnostics(), command.error_format);
+}
+
+int check(const cli::Command& command) {
+  int code = 0;
+  for (const std::string& file : command.files) {
+    const auto shader = compiler::check(file, command.options);
+    code = std::max(code, report(shader ? shader->warnings : shader.diagnostics(), command.error_format));
+  }
+  return code;
+}
+
+int list(const cli::Command& command) {
+  const auto modules = compiler::list_modules(command.options.library_directory);
+  if (!modules) return report(modules.diagnostics(), command.error_format);
+  const auto printed = print(compiler::to_table(*modules));
+  return printed ? 0 : report(printed.diagnostics(), command.error_format);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const cli::CommandLine line = cli::parse_command_line(argc, argv, shader_library("/proc/self/exe"));
+  if (!line.command) {
+    std::fputs(line.text.c_str(), line.exit_code == 0 ? stdout : stderr);
+    return line.exit_code;
+  }
+  switch (line.command->name) {
+    case cli::Command::Name::kBuild:
+      return build(*line.command);
+    case cli::Command::Name::kCheck:
+      return check(*line.command);
+    case cli::Command::Name::kList:
+      break;
+  }
+  return list(*line.command);
+}

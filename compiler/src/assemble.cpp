@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "gnomon/compiler/compiler.h"
+#include "origin.h"
+#include "source_file.h"
+#include "text.h"
+
+namespace gnomon::compiler {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kDeepestInclude = 64;
+constexpr size_t kMostInclusions =
+    10000;  // files without guards that include each other twice grow exponentially
+
+struct IncludeName {
+  std::string name;
+  bool quoted = false;
+};
+
+std::optional<IncludeName> parse_include(std::string_view argument) {
+  if (argument.size() < 3) return std::nullopt;
+  const bool quoted = argument.front() == '"';
+  if (!quoted && argument.front() != '<') return std::nullopt;
+  if (argument.find(quoted ? '"' : '>', 1) != argument.size() - 1) return std::nullopt;
+  return IncludeName{std::string(argument.substr(1, argument.size() - 2)), quoted};
+}
+
+// Where the file may be, in the order of preference.
+std::vector<std::string> candidates(const IncludeName& include, const std::string& includer,
+                                    const Options& options) {
+  std::vector<std::string> paths;
+  const auto add = [&](const fs::path& folder, std::string_view name) {
+    paths.push_back((folder / name).lexically_normal().string());
+  };
+  if (include.quoted) add(fs::path(includer).parent_path(), include.name);
+  constexpr std::string_view prefix = "gnomon/";
+  if (!include.quoted && include.name.starts_with(prefix)) {
+    add(options.library_directory, std::string_view(include.name).substr(prefix.size()));
+  }
+  for (const std::string& folder : options.include_directories) add(folder, include.name);
+  return paths;
+}
+
+bool is_file(const std::string& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored);
+}
+
+// One name for one file, however it was reached.
+std::string identity_of(const std::string& path) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(path, error);
+  return error ? path : canonical.string();
+}
+
+// Directives that mean nothing once the includes are inlined.
+bool is_dropped(const SourceLine& line) {
+  if (line.directive == "extension") {
+    std::string_view name = line.argument;
+    name = take_word(name);
+    return name == "GL_GOOGLE_include_directive" || name == "GL_ARB_shading_language_include";
+  }
+  return line.directive == "include" || line.directive == "version" || line.directive == "line";
+}
+
+class Assembler {
+ public:
+  explicit Assembler(const Options& options) : options_(options) {}
+
+  Result<Assembled> run(const std::string& path, const Target& target) {
+    auto bytes = read_bytes(path);
+    if (!bytes)
+      return Diagnostic{.file = path, .message = "cannot read the file: check the path and its permissions"};
+    result_.files.push_back(path);
+    result_.inclusions.emplace_back();
+    if (!scan_last_file(*std::move(bytes))) return *std::move(failure_);
+    begin(target.version_line);
+    if (!inline_file(0, false)) return *std::move(failure_);
+    return std::move(result_);
+  }
+
+ private:
+  struct File {
+    SourceFile source;
+    bool finished = false;  // guarded, and already inlined where no conditional but guards stood around it
+  };
+
+  bool fail(Diagnostic diagnostic) {
+    failure_ = std::move(diagnostic);
+    return false;
+  }
+
+  void emit(std::string_view text, LineOrigin origin) {
+    result_.text += text;
+    result_.text += '\n';
+    result_.origins.push_back(origin);
+  }
+
+  // The file that the last inclusion names for the first time.
+  bool scan_last_file(std::string bytes) {
+    const std::string& path = result_.files.back();
+    auto source = scan(path, std::move(bytes));
+    if (!source) {
+      Diagnostic diagnostic = source.diagnostics().front();
+      const int last = static_cast<int>(result_.inclusions.size()) - 1;
+      diagnostic.notes = failure_at(result_, {last, diagnostic.line}, {}).notes;
+      return fail(std::move(diagnostic));
+    }
+    index_of_.emplace(identity_of(path), static_cast<int>(files_.size()));
+    files_.push_back({std::move(source).value()});
+    return true;
+  }
+
+  // The target's #version in the place of the file's, and the defines: both belong before everything else.
+  void begin(const std::string& version_line) {
+    const std::vector<SourceLine>& lines = files_[0].source.lines;
+    const auto version = std::ranges::find(lines, "version", &SourceLine::directive);
+    emit(version_line, {0, version == lines.end() ? 1 : version->line});
+    for (const Define& define : options_.defines) emit("#define " + define.name + " " + define.value, {0, 0});
+  }
+
+  bool inline_file(int inclusion, bool conditional) {
+    File& file = files_[static_cast<size_t>(result_.inclusions[static_cast<size_t>(inclusion)].file)];
+    for (const SourceLine& line : file.source.lines) {
+      const LineOrigin origin{inclusion, line.line};
+      if (!is_dropped(line)) {
+        emit(line.text, origin);
+        continue;
+      }
+      // What goes in the place of the line must stand outside of the comments around it.
+      if (line.opens_in_comment) emit("*/", origin);
+      if (!line.dead && !replace(line, origin, conditional || line.conditional)) return false;
+      if (line.ends_in_comment) emit("/*", origin);
+    }
+    file.finished = file.source.guarded && !conditional;
+    return true;
+  }
+
+  bool replace(const SourceLine& line, LineOrigin origin, bool conditional) {
+    if (line.directive == "version" && origin.inclusion != 0) {
+      return fail(failure_at(result_, origin,
+                             "#version in an included file: only the main file may have one; remove it"));
+    }
+    return line.directive != "include" || include(line, origin, conditional);
+  }
+
+  bool include(const SourceLine& line, LineOrigin origin, bool conditional) {
+    const auto name = parse_include(line.argument);
+    if (!name) return fail(failure_at(result_, origin, "malformed #include: expected \"FILE\" or <FILE>"));
+    const auto paths = candidates(*name, file_of(result_, origin.inclusion), options_);
+    const auto found = std::ranges::find_if(paths, is_file);
+    if (found == paths.end()) return fail(missing(*name, paths, origin));
+    const std::string identity = identity_of(*found);
+    const auto known = index_of_.find(identity);
+    if (known != index_of_.end() && is_open(known->second, origin.inclusion))
+      return fail(cycle(known->second, origin));
+    if (known != index_of_.end() && files_[static_cast<size_t>(known->second)].finished) return true;
+    if (depth(origin.inclusion) >= kDeepestInclude) return fail(too_deep(origin));
+    if (result_.inclusions.size() >= kMostInclusions) return fail(too_many(origin));
+
+    const int inclusion = static_cast<int>(result_.inclusions.size());
+    const int file = known == index_of_.end() ? static_cast<int>(files_.size()) : known->second;
+    result_.inclusions.push_back({file, origin.inclusion, origin.line});
+    if (known == index_of_.end()) {
+      auto bytes = read_bytes(*found);
+      if (!bytes) return fail(failure_at(result_, origin, "cannot read the include file \"" + *found + "\""));
+      result_.files.push_back(*found);
+      if (!scan_last_file(*std::move(bytes))) return false;
+    }
+    return inline_file(inclusion, conditional);
+  }
+
+  // The inclusions from the main file to `inclusion`, the innermost first.
+  [[nodiscard]] std::vector<int> open_inclusions(int inclusion) const {
+    std::vector<int> open;
+    for (int at = inclusion; at >= 0; at = result_.inclusions[static_cast<size_t>(at)].parent)
+      open.push_back(at);
+    return open;
+  }
+
+  [[nodiscard]] int depth(int inclusion) const { return static_cast<int>(open_inclusions(inclusion).size()); }
+
+  [[nodiscard]] bool is_open(int file, int inclusion) const {
+    return std::ranges::any_of(open_inclusions(inclusion), [&](int at) {
+      return result_.inclusions[static_cast<size_t>(at)].file == file;
+    });
+  }
+
+  [[nodiscard]] Diagnostic cycle(int file, LineOrigin origin) const {
+    const std::string& closing = result_.files[static_cast<size_t>(file)];
+    std::string path = closing;
+    for (const int at : open_inclusions(origin.inclusion)) {
+      path.insert(0, file_of(result_, at) + " -> ");
+      if (result_.inclusions[static_cast<size_t>(at)].file == file) break;
+    }
+    return failure_at(result_, origin,
+                      "include cycle: " + path + "; include guards do not mend it, remove one of these");
+  }
+
+  [[nodiscard]] Diagnostic missing(const IncludeName& include, const std::vector<std::string>& paths,
+                                   LineOrigin origin) const {
+    std::string tried;
+    for (const std::string& path : paths) tried += (tried.empty() ? "looked for " : ", ") + path;
+    if (tried.empty()) tried = "no -I names a folder to look in";
+    return failure_at(result_, origin,
+                      "cannot find the include file \"" + include.name + "\": " + tried +
+                          "; correct the name or name its folder with -I");
+  }
+
+  [[nodiscard]] Diagnostic too_deep(LineOrigin origin) const {
+    return failure_at(result_, origin,
+                      "includes are nested more than " + std::to_string(kDeepestInclude) + " deep");
+  }
+
+  [[nodiscard]] Diagnostic too_many(LineOrigin origin) const {
+    return failure_at(result_, origin,
+                      "more than " + std::to_string(kMostInclusions) +
+                          " files are inlined: give the included files include guards");
+  }
+
+  const Options& options_;
+  Assembled result_;
+  std::deque<File> files_;               // beside result_.files; references stay valid while it grows
+  std::map<std::string, int> index_of_;  // identity to index
+  std::optional<Diagnostic> failure_;
+};
+
+Diagnostic unknown_target(const std::string& name) {
+  std::string known;
+  for (const Target& target : targets()) known += (known.empty() ? "" : ", ") + target.name;
+  return {.message = "unknown target \"" + name + "\": known are " + known};
+}
+
+}  // namespace
+
+Result<Assembled> assemble(const std::string& path, const Options& options) {
+  const auto target = std::ranges::find(targets(), options.target, &Target::name);
+  if (target == targets().end()) return unknown_target(options.target);
+  return Assembler(options).run(path, *target);
+}
+
+}  // namespace gnomon::compiler

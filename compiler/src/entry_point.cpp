@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: MIT
+#include "entry_point.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "prototype.h"
+
+namespace gnomon::compiler {
+namespace {
+
+// What a stage needs besides, and the statement that makes its result depend on gnomon_check_sum.
+struct StageFrame {
+  std::string_view declarations;
+  std::string_view output;
+};
+
+StageFrame frame_of(Stage stage) {
+  switch (stage) {
+    case Stage::kVertex:
+      return {"", "gl_Position = vec4(gnomon_check_sum);"};
+    case Stage::kGeometry:
+      return {"layout(points) in; layout(points, max_vertices = 1) out;",
+              "gl_Position = vec4(gnomon_check_sum); EmitVertex();"};
+    case Stage::kCompute:
+      return {
+          "layout(local_size_x = 1) in; layout(std430) buffer gnomon_check_buffer { float "
+          "gnomon_check_result; };",
+          "gnomon_check_result = gnomon_check_sum;"};
+    case Stage::kFragment:
+      break;
+  }
+  // A built-in output clashes with none that the module declares.
+  return {"", "gl_FragDepth = gnomon_check_sum;"};
+}
+
+std::string_view spell(Passing passing) {
+  switch (passing) {
+    case Passing::kConstIn:
+      return "const in ";
+    case Passing::kOut:
+      return "out ";
+    case Passing::kInOut:
+      return "inout ";
+    case Passing::kIn:
+      break;
+  }
+  return "in ";
+}
+
+bool is_written(const Parameter& parameter) {
+  return parameter.passing == Passing::kOut || parameter.passing == Passing::kInOut;
+}
+
+std::string argument_name(size_t i) {
+  return fmt::format("gnomon_check_{}", i);
+}
+
+// " + float(name.x) + ..." over every scalar of a value.
+std::string sum_of(const Type& type, const std::string& name) {
+  if (type.opaque || type.name == "void") return {};
+  if (type.parts.empty()) return fmt::format(" + float({})", name);
+  std::string sum;
+  for (const Type::Part& part : type.parts) sum += sum_of(part.type, name + part.accessor);
+  return sum;
+}
+
+class EntryPoint {
+ public:
+  explicit EntryPoint(Assembled& module) : module_(module) {}
+
+  void append(const Shader& shader, Stage stage) {
+    const StageFrame frame = frame_of(stage);
+    const LineOrigin origin{0, 1};
+    emit("uniform float gnomon_check_input; float gnomon_check_sum;", origin);
+    if (!frame.declarations.empty()) emit(frame.declarations, origin);
+    const std::string text = module_.text;
+    for (const Function& function : shader.undefined) {
+      const int prototype = line_of_prototype(text, function.name);
+      define(function, origin_of(prototype > 0 ? prototype : function.line));
+    }
+    for (const Function& function : shader.defined) declare_opaque(function);
+    emit("void main() { gnomon_check_sum = 0.0;", origin);
+    for (const Function& function : shader.defined) call(function);
+    emit(std::string(frame.output) + " }", origin);
+  }
+
+ private:
+  [[nodiscard]] LineOrigin origin_of(int line) const {
+    return module_.origins[static_cast<size_t>(line - 1)];
+  }
+
+  void emit(std::string_view line, LineOrigin origin) {
+    module_.text += line;
+    module_.text += '\n';
+    module_.origins.push_back(origin);
+  }
+
+  // A value that no compiler can know, different each time: equal ones would cancel in the function.
+  std::string value_of(const Type& type, const std::string& seed) {
+    if (type.parts.empty()) return fmt::format("{}({} + {}.0)", type.name, seed, ++values_);
+    std::string value = type.name + "(";
+    for (size_t i = 0; i < type.parts.size(); ++i) {
+      value += (i == 0 ? "" : ", ") + value_of(type.parts[i].type, seed);
+    }
+    return value + ")";
+  }
+
+  // A host function whose result depends on everything that it is given.
+  void define(const Function& function, LineOrigin origin) {
+    std::string parameters;
+    std::string given;
+    std::string written;
+    for (size_t i = 0; i < function.parameters.size(); ++i) {
+      const auto& [type, passing] = function.parameters[i];
+      const std::string name = argument_name(i);
+      parameters += fmt::format("{}{}{} {}", i == 0 ? "" : ", ", spell(passing), type.name, name);
+      if (passing != Passing::kOut) given += sum_of(type, name);
+      if (is_written(function.parameters[i]))
+        written += fmt::format("{} = {}; ", name, value_of(type, "gnomon_check_sum"));
+    }
+    const bool returns = function.result.name != "void";
+    const std::string result =
+        returns ? fmt::format("return {};", value_of(function.result, "gnomon_check_sum")) : "";
+    emit(fmt::format("{} {}({}) {{ gnomon_check_sum += gnomon_check_input{}; {}{} }}", function.result.name,
+                     function.name, parameters, given, written, result),
+         origin);
+  }
+
+  std::string opaque_name(const Function& function, size_t parameter) {
+    return fmt::format("gnomon_check_{}_{}", function.line, parameter);
+  }
+
+  void declare_opaque(const Function& function) {
+    for (size_t i = 0; i < function.parameters.size(); ++i) {
+      const Type& type = function.parameters[i].type;
+      if (type.opaque)
+        emit(fmt::format("uniform {} {};", type.name, opaque_name(function, i)), origin_of(function.line));
+    }
+  }
+
+  void call(const Function& function) {
+    std::string variables;
+    std::string arguments;
+    std::string results;
+    for (size_t i = 0; i < function.parameters.size(); ++i) {
+      const Type& type = function.parameters[i].type;
+      const std::string name = type.opaque ? opaque_name(function, i) : argument_name(i);
+      if (!type.opaque)
+        variables += fmt::format("{} {} = {}; ", type.name, name, value_of(type, "gnomon_check_input"));
+      if (is_written(function.parameters[i])) results += sum_of(type, name);
+      arguments += fmt::format("{}{}", i == 0 ? "" : ", ", name);
+    }
+    const bool returns = function.result.name != "void";
+    if (returns) results += sum_of(function.result, "gnomon_check_returned");
+    const std::string taken = returns ? function.result.name + " gnomon_check_returned = " : "";
+    emit(fmt::format("{{ {}{}{}({}); gnomon_check_sum += 0.0{}; }}", variables, taken, function.name,
+                     arguments, results),
+         origin_of(function.line));
+  }
+
+  Assembled& module_;
+  int values_ = 0;
+};
+
+}  // namespace
+
+void append_entry_point(Assembled& module, const Shader& shader, Stage stage) {
+  EntryPoint(module).append(shader, stage);
+}
+
+}  // namespace gnomon::compiler

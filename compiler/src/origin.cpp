@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#include "origin.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gnomon::compiler {
+
+const std::string& file_of(const Assembled& assembled, int inclusion) {
+  const Inclusion& at = assembled.inclusions[static_cast<size_t>(inclusion)];
+  return assembled.files[static_cast<size_t>(at.file)];
+}
+
+Diagnostic failure_at(const Assembled& assembled, LineOrigin origin, std::string message) {
+  Diagnostic diagnostic{.message = std::move(message), .failure = Failure::kFailed};
+  if (origin.line == 0) {
+    diagnostic.file = "<command line>";
+    return diagnostic;
+  }
+  diagnostic.file = file_of(assembled, origin.inclusion);
+  diagnostic.line = origin.line;
+  for (Inclusion at = assembled.inclusions[static_cast<size_t>(origin.inclusion)]; at.parent >= 0;
+       at = assembled.inclusions[static_cast<size_t>(at.parent)]) {
+    diagnostic.notes.push_back("included from " + file_of(assembled, at.parent) + ":" +
+                               std::to_string(at.line));
+  }
+  return diagnostic;
+}
+
+Diagnostic locate(const Assembled& assembled, int line, std::string message) {
+  const int last = static_cast<int>(assembled.origins.size());
+  const int nearest = std::clamp(line, 1, std::max(last, 1));
+  return failure_at(assembled, assembled.origins[static_cast<size_t>(nearest - 1)], std::move(message));
+}
+
+}  // namespace gnomon::compiler

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "prototype.h"
+
+#include <algorithm>
+
+#include "text.h"
+
+namespace gnomon::compiler {
+namespace {
+
+std::string strip_comments(std::string_view text) {
+  std::string code;
+  bool in_comment = false;
+  while (!text.empty()) {
+    const size_t length = std::min(text.find('\n'), text.size());
+    code += without_comments(text.substr(0, length), in_comment) + '\n';
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return code;
+}
+
+// A call stands behind an operator or behind one of these words, a prototype behind the name of a type.
+bool ends_in_type(std::string_view before) {
+  before = trim(before);
+  size_t begin = before.size();
+  while (begin > 0 && is_word_character(before[begin - 1])) --begin;
+  const std::string_view word = before.substr(begin);
+  return is_identifier(word) && word != "return" && word != "else" && word != "do";
+}
+
+// "(...);", with parentheses inside where a macro makes the type.
+bool begins_with_parameters_only(std::string_view after) {
+  after = trim(after.substr(0, after.find(';') == after.npos ? 0 : after.find(';')));
+  return after.starts_with('(') && after.ends_with(')') && after.find_first_of("{}") == after.npos;
+}
+
+}  // namespace
+
+int line_of_prototype(std::string_view text, const std::string& name) {
+  const std::string code = strip_comments(text);
+  const std::string_view view = code;
+  for (size_t at = view.find(name); at != view.npos; at = view.find(name, at + name.size())) {
+    const std::string_view before = view.substr(0, at);
+    const std::string_view after = view.substr(at + name.size());
+    const bool is_whole_word = (before.empty() || !is_word_character(before.back())) &&
+                               (after.empty() || !is_word_character(after.front()));
+    if (is_whole_word && ends_in_type(before) && begins_with_parameters_only(after)) {
+      return 1 + static_cast<int>(std::ranges::count(before, '\n'));
+    }
+  }
+  return 0;
+}
+
+}  // namespace gnomon::compiler

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "shader.h"
+
+#include <glslang/MachineIndependent/localintermediate.h>
+#include <glslang/Public/ResourceLimits.h>
+#include <glslang/Public/ShaderLang.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "inspect.h"
+#include "log.h"
+#include "prototype.h"
+
+namespace gnomon::compiler {
+namespace {
+
+// glslang wants this once in a process, before anything else.
+void initialize_glslang() {
+  static const struct Process {
+    Process() { glslang::InitializeProcess(); }
+    ~Process() { glslang::FinalizeProcess(); }
+  } process;
+}
+
+EShLanguage language_of(Stage stage) {
+  switch (stage) {
+    case Stage::kVertex:
+      return EShLangVertex;
+    case Stage::kGeometry:
+      return EShLangGeometry;
+    case Stage::kCompute:
+      return EShLangCompute;
+    case Stage::kFragment:
+      break;
+  }
+  return EShLangFragment;
+}
+
+int line_of(const std::vector<Function>& functions, std::string_view name) {
+  const auto found = std::ranges::find(functions, name, &Function::name);
+  return found == functions.end() ? 0 : found->line;
+}
+
+// The name before '(' of the mangled one that follows `marker` in the log, empty where there is none.
+std::string name_after(std::string_view log, std::string_view marker) {
+  const size_t at = log.find(marker);
+  if (at == log.npos) return {};
+  const std::string line = first_line(log.substr(at + marker.size()));
+  return line.substr(0, line.find('('));
+}
+
+// The linker names functions, but no lines.
+Message read_link_log(std::string_view log, const std::string& text, const Shader& shader) {
+  if (const std::string name = name_after(log, "No function definition (body) found:"); !name.empty()) {
+    const int prototype = line_of_prototype(text, name);
+    return {prototype > 0 ? prototype : line_of(shader.undefined, name),
+            "function '" + name +
+                "' is declared and called, but not defined: define it, or include a file that does, such as "
+                "<gnomon/host/r32f.glsl> for height maps in R32F textures"};
+  }
+  if (const std::string name = name_after(log, "Recursion detected:"); !name.empty()) {
+    return {line_of(shader.defined, name), "function '" + name +
+                                               "' calls itself, directly or through others: GLSL has "
+                                               "no recursion, write a loop with a bound"};
+  }
+  std::string message = first_line(log);
+  for (const std::string_view prefix : {"ERROR: ", "Linking "}) {
+    if (message.starts_with(prefix)) message.erase(0, prefix.size());
+  }
+  return {1, message};
+}
+
+}  // namespace
+
+Shader compile(const std::string& text, Stage stage) {
+  initialize_glslang();
+  glslang::TShader unit(language_of(stage));
+  const char* const strings[] = {text.data()};
+  const int lengths[] = {static_cast<int>(text.size())};
+  unit.setStringsWithLengths(strings, lengths, 1);
+
+  constexpr int kVersionWithoutDirective = 110;  // never used: the text has a #version
+  Shader shader;
+  const bool parsed = unit.parse(GetDefaultResources(), kVersionWithoutDirective, false, EShMsgDefault);
+  Log log = read_log(unit.getInfoLog());
+  shader.warnings = std::move(log.warnings);
+  if (!parsed) {
+    shader.error = log.error ? *log.error : Message{1, first_line(unit.getInfoLog())};
+    return shader;
+  }
+
+  TIntermNode& root = *unit.getIntermediate()->getTreeRoot();
+  find_functions(root, shader);
+  shader.unbounded_loops = find_unbounded_loops(root);
+  if (!shader.has_main) return shader;
+  glslang::TProgram program;
+  program.addShader(&unit);
+  if (!program.link(EShMsgDefault)) shader.error = read_link_log(program.getInfoLog(), text, shader);
+  return shader;
+}
+
+}  // namespace gnomon::compiler

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// What the GLSL compiler found out about one text, as plain data.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gnomon/compiler/compiler.h"
+
+namespace gnomon::compiler {
+
+/// A GLSL type, taken apart.
+struct Type {
+  struct Part;
+  std::string name;         ///< as GLSL spells it: "float", "ivec2", "GnomonMap", "float[3]", "void"
+  bool opaque = false;      ///< a sampler or image: only a uniform can be one
+  std::vector<Part> parts;  ///< what its constructor takes; empty for scalars, opaque types and void
+};
+struct Type::Part {
+  std::string accessor;  ///< ".size" of a structure, "[1]" of a vector, matrix or array
+  Type type;
+};
+
+enum class Passing { kIn, kConstIn, kOut, kInOut };
+
+struct Parameter {
+  Type type;
+  Passing passing = Passing::kIn;
+};
+
+struct Function {
+  std::string signature;  ///< distinguishes overloads
+  std::string name;
+  Type result;
+  std::vector<Parameter> parameters;
+  int line =
+      0;  ///< of the definition, or of the first call of an undefined one; 1-based in the compiled text
+};
+
+/// A message of the GLSL compiler at a line of the compiled text.
+struct Message {
+  int line = 0;  ///< 1-based
+  std::string text;
+};
+
+struct Shader {
+  std::optional<Message> error;  ///< the first; without it the text is valid
+  std::vector<Message> warnings;
+  bool has_main = false;             ///< a text without main is compiled but not linked
+  std::vector<Function> defined;     ///< in the order of the text, main excepted
+  std::vector<Function> undefined;   ///< called, but declared only
+  std::vector<int> unbounded_loops;  ///< lines, see build()
+};
+
+/// Parses and links `text` (which has its #version) with glslang.
+[[nodiscard]] Shader compile(const std::string& text, Stage stage);
+
+}  // namespace gnomon::compiler

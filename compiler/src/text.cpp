@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "text.h"
+
+namespace gnomon::compiler {
+namespace {
+
+// Length of the UTF-8 character at the front of `text`, 0 where there is none (RFC 3629: no overlong forms,
+// no surrogates, nothing above U+10FFFF).
+size_t character_length(std::string_view text) {
+  const auto byte = [&](size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
+  const unsigned lead = byte(0);
+  if (lead < 0x80) return lead == 0 ? 0 : 1;
+  if (lead < 0xC2 || lead > 0xF4) return 0;
+  const size_t length = lead < 0xE0 ? 2 : (lead < 0xF0 ? 3 : 4);
+  for (size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  }
+  const unsigned second = byte(1);
+  const bool out_of_range = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
+                            (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
+  return out_of_range ? 0 : length;
+}
+
+}  // namespace
+
+size_t first_bad_byte(std::string_view text) {
+  size_t at = 0;
+  while (at < text.size()) {
+    const size_t length = character_length(text.substr(at));
+    if (length == 0) break;
+    at += length;
+  }
+  return at;
+}
+
+std::string without_comments(std::string_view line, bool& in_comment) {
+  std::string code;
+  bool in_quotes = false;  // of #include "a//b.glsl"
+  for (size_t i = 0; i < line.size(); ++i) {
+    const std::string_view two = line.substr(i, 2);
+    if (in_comment) {
+      if (two == "*/") {
+        in_comment = false;
+        ++i;
+      }
+    } else if (!in_quotes && two == "//") {
+      break;
+    } else if (!in_quotes && two == "/*") {
+      in_comment = true;
+      code += ' ';
+      ++i;
+    } else {
+      if (line[i] == '"') in_quotes = !in_quotes;
+      code += line[i];
+    }
+  }
+  return code;
+}
+
+}  // namespace gnomon::compiler
