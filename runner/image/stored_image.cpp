@@ -13,6 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "image/png_check.h"
+
 namespace gnomon::image {
 namespace {
 
@@ -114,6 +116,9 @@ std::optional<Diagnostic> check_header(const std::string& path, const OIIO::Imag
   const int bits = spec.get_int_attribute("oiio:BitsPerSample", 8 * static_cast<int>(type.size()));
   if (bits != 8 * static_cast<int>(type.size()))
     return unreadable(path, fmt::format("the image has {} bits a sample; convert it to 8 or 16", bits));
+  constexpr int kMinIsWhite = 0;  // OpenImageIO would turn the numbers round
+  if (spec.get_int_attribute("tiff:PhotometricInterpretation", -1) == kMinIsWhite)
+    return unreadable(path, "the TIFF file calls its smallest number white; convert it to MinIsBlack");
   const auto bytes = static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height) *
                      static_cast<std::uint64_t>(channels.end - channels.begin) * in_memory(type).size();
   if (bytes > kMostBytes)
@@ -139,6 +144,23 @@ std::string reason(const OIIO::ImageInput& input) {
   return text.empty() ? "no reason given" : text.substr(0, text.find('\n'));
 }
 
+/// All pixels of the chosen channels into `bytes`.
+bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, ChannelRange channels,
+                 OIIO::TypeDesc type, std::byte* bytes) {
+  // Given several strips of a TIFF file at once, OpenImageIO 2.4 unpacks them itself and overlooks damaged
+  // ones.
+  const bool by_rows = std::string_view(input.format_name()) == "tiff" && spec.tile_width == 0;
+  if (!by_rows) return input.read_image(0, 0, channels.begin, channels.end, type, bytes);
+  const std::size_t row_bytes = static_cast<std::size_t>(spec.width) * type.size() *
+                                static_cast<std::size_t>(channels.end - channels.begin);
+  for (int row = 0; row < spec.height; ++row) {
+    const int y = spec.y + row;
+    std::byte* place = bytes + static_cast<std::size_t>(row) * row_bytes;
+    if (!input.read_scanlines(0, 0, y, y + 1, 0, channels.begin, channels.end, type, place)) return false;
+  }
+  return true;
+}
+
 Result<StoredImage> read_with(OIIO::ImageInput& input, const std::string& path, const ReadOptions& options) {
   OIIO::ImageSpec keep_numbers;
   keep_numbers.attribute("oiio:UnassociatedAlpha", 1);  // without it, colours are multiplied by alpha
@@ -160,7 +182,7 @@ Result<StoredImage> read_with(OIIO::ImageInput& input, const std::string& path, 
   // Not zeroed: a large header without data then costs no memory.
   image.bytes =
       std::make_unique_for_overwrite<std::byte[]>(image.pixels() * image.channels.size() * type.size());
-  const bool read = input.read_image(0, 0, channels.begin, channels.end, type, image.bytes.get());
+  const bool read = read_pixels(input, spec, channels, type, image.bytes.get());
   if (!read || input.has_error())
     return unreadable(path, fmt::format("the image is damaged or incomplete: {}", reason(input)));
   return image;
@@ -209,6 +231,8 @@ Result<StoredImage> read_stored(const std::string& path, const ReadOptions& opti
   const std::string_view reader = reader_for(path);
   if (reader.empty())
     return unreadable(path, "this is not an image: only PNG, OpenEXR and TIFF files are read");
+  if (reader == "png")
+    if (auto defect = png_defect(path, options.max_size)) return unreadable(path, *std::move(defect));
   try {
     const auto input = OIIO::ImageInput::create(std::string(reader));
     if (!input) return unreadable(path, fmt::format("OpenImageIO was built without its {} reader", reader));
