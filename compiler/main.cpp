@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <span>
 
 #include "cli/command_line.h"
-#include "gnomon/atomic_file.h"
+#include "cli/output.h"
 #include "gnomon/compiler/modules.h"
 #include "gnomon/library_location.h"
 
@@ -22,29 +20,11 @@ int report(const Diagnostics& diagnostics, cli::ErrorFormat format) {
   return code;
 }
 
-Result<Done> print(const std::string& text) {
-  const bool whole =
-      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (whole) return Done{};
-  return Diagnostic{.message = "cannot write to standard output", .failure = Failure::kMachine};
-}
-
-Result<Done> write(const compiler::Assembled& shader, const std::string& path) {
-  if (path.empty()) return print(shader.text);
-  std::error_code ignored;
-  for (const std::string& source : shader.files) {
-    if (std::filesystem::equivalent(source, path, ignored)) {
-      return Diagnostic{.file = path, .message = "is a source of this shader: write to another file"};
-    }
-  }
-  return write_file_atomically(path, std::as_bytes(std::span(shader.text)));
-}
-
 int build(const cli::Command& command) {
   const auto shader = compiler::build(command.files.front(), command.options);
   if (!shader) return report(shader.diagnostics(), command.error_format);
   report(shader->warnings, command.error_format);
-  const auto written = write(*shader, command.output);
+  const auto written = cli::write(*shader, command.output);
   return written ? 0 : report(written.diagnostics(), command.error_format);
 }
 
@@ -59,8 +39,7 @@ int check(const cli::Command& command) {
 
 int list(const cli::Command& command) {
   const auto modules = compiler::list_modules(command.options.library_directory);
-  if (!modules) return report(modules.diagnostics(), command.error_format);
-  const auto printed = print(compiler::to_table(*modules));
+  const Result<Done> printed = modules ? cli::print(compiler::to_table(*modules)) : modules.diagnostics();
   return printed ? 0 : report(printed.diagnostics(), command.error_format);
 }
 

@@ -46,14 +46,14 @@ void add_compile_options(CLI::App& app, Typed& typed) {
       ->allow_extra_args(false);
   app.add_option("--target", options.target, target_help())
       ->check(CLI::IsMember(target_names()))
-      ->type_name("");
+      ->type_name("T");
   app.add_option("--stage", typed.stage, "Shader stage, where the file's extension does not tell it")
       ->check(CLI::IsMember(stage_names()))
-      ->type_name("");
+      ->type_name("S");
   app.add_option("--errfmt", typed.error_format,
                  "PATH:LINE: error: TEXT (gcc, the default) or PATH(LINE): error: TEXT (msvc)")
       ->check(CLI::IsMember({"gcc", "msvc"}))
-      ->type_name("");
+      ->type_name("FORMAT");
 }
 
 CommandLine finish(Typed typed) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "shader.h"
 
+#include <fmt/format.h>
 #include <glslang/MachineIndependent/localintermediate.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
@@ -50,14 +51,20 @@ std::string name_after(std::string_view log, std::string_view marker) {
   return line.substr(0, line.find('('));
 }
 
+Message undefined_function(const std::string& name, const std::string& text, const Shader& shader) {
+  const int prototype = line_of_prototype(text, name);
+  const bool is_host_function = name.starts_with("gnomon_host_");
+  return {
+      prototype > 0 ? prototype : line_of(shader.undefined, name),
+      fmt::format("function '{}' is declared and called, but not defined: {}", name,
+                  is_host_function ? "define it, or include a ready-made host such as <gnomon/host/r32f.glsl>"
+                                   : "define it, or include the file that does")};
+}
+
 // The linker names functions, but no lines.
 Message read_link_log(std::string_view log, const std::string& text, const Shader& shader) {
   if (const std::string name = name_after(log, "No function definition (body) found:"); !name.empty()) {
-    const int prototype = line_of_prototype(text, name);
-    return {prototype > 0 ? prototype : line_of(shader.undefined, name),
-            "function '" + name +
-                "' is declared and called, but not defined: define it, or include a file that does, such as "
-                "<gnomon/host/r32f.glsl> for height maps in R32F textures"};
+    return undefined_function(name, text, shader);
   }
   if (const std::string name = name_after(log, "Recursion detected:"); !name.empty()) {
     return {line_of(shader.defined, name), "function '" + name +

@@ -2,6 +2,7 @@
 #include "source_file.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
@@ -146,9 +147,11 @@ std::optional<Diagnostic> find_conditionals(const std::string& path, SourceFile&
 }  // namespace
 
 std::optional<std::string> read_bytes(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream bytes;
-  bytes << stream.rdbuf();  // unlike an iterator, this survives a folder
+  bytes << stream.rdbuf();
   if (!stream.is_open() || bytes.bad()) return std::nullopt;
   return std::move(bytes).str();
 }

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// The program as people use it: exit codes, and what reaches which stream and file.
+#include <sys/wait.h>
+
+#include <cstdlib>
+
+#include "src/temporary_tree.h"
+
+namespace gnomon {
+namespace {
+
+struct Outcome {
+  int code = 0;
+  std::string out;
+  std::string err;
+};
+
+class Gnomonc : public testing::Test {
+ protected:
+  // `arguments` go through the shell, in the folder of the tree.
+  Outcome run(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + tree.path("") + "' && '" GNOMONC "' " + arguments + " > stdout.txt 2> stderr.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, tree.read("stdout.txt"), tree.read("stderr.txt")};
+  }
+
+  TemporaryTree tree;
+};
+
+TEST_F(Gnomonc, BuildWritesToStandardOutput) {
+  tree.file("a.frag", "#version 330\nvoid main() {}");
+  const Outcome built = run("build a.frag -D A -DB=2 -D C=");
+  EXPECT_EQ(built.code, 0);
+  EXPECT_EQ(built.out, "#version 450 core\n#define A 1\n#define B 2\n#define C \nvoid main() {}\n");
+  EXPECT_EQ(built.err, "");
+}
+
+TEST_F(Gnomonc, BuildWritesAFile) {
+  tree.file("a.frag", "void main() {}\n");
+  const Outcome built = run("build -o out.glsl a.frag");
+  EXPECT_EQ(built.code, 0);
+  EXPECT_EQ(built.out, "");
+  EXPECT_EQ(tree.read("out.glsl"), "#version 450 core\nvoid main() {}\n");
+}
+
+TEST_F(Gnomonc, FailureKeepsAnOlderOutput) {
+  tree.file("a.frag", "#include \"b.glsl\"\nvoid main() {}\n");
+  tree.file("b.glsl", "\nfloat x = y;\n");
+  tree.file("out.glsl", "older");
+  const Outcome built = run("build a.frag -o out.glsl");
+  EXPECT_EQ(built.code, 1);
+  EXPECT_EQ(built.err, "b.glsl:2: error: 'y': undeclared identifier\n  included from a.frag:1\n");
+  EXPECT_EQ(tree.read("out.glsl"), "older");
+  EXPECT_EQ(run("build a.frag --errfmt msvc").err,
+            "b.glsl(2): error: 'y': undeclared identifier\n  included from a.frag:1\n");
+}
+
+TEST_F(Gnomonc, WrongUsageIsTwo) {
+  tree.file("a.frag", "void main() {}\n");
+  for (const std::string arguments :
+       {"", "biuld a.frag", "build", "build a.frag b.frag", "build a.frag --target cobol",
+        "build a.frag --stage x", "build a.frag --errfmt x", "build a.frag --bogus", "build a.frag -D 1x",
+        "build a.frag -D gl_X=1", "build a.frag -D", "check", "list a.frag", "build none.frag", "build .",
+        "check none.glsl"}) {
+    const Outcome refused = run(arguments);
+    EXPECT_EQ(refused.code, 2) << arguments;
+    EXPECT_EQ(refused.out, "") << arguments;
+    EXPECT_NE(refused.err, "") << arguments;
+  }
+}
+
+TEST_F(Gnomonc, OutputMustNotBeASource) {
+  tree.file("a.frag", "#include \"b.glsl\"\nvoid main() {}\n");
+  tree.file("b.glsl", "// b\n");
+  EXPECT_EQ(run("build a.frag -o ./b.glsl").code, 2);
+  EXPECT_EQ(tree.read("b.glsl"), "// b\n");
+}
+
+TEST_F(Gnomonc, OutputThatIsNotWritableIsNinetyNine) {
+  tree.file("a.frag", "void main() {}\n");
+  EXPECT_EQ(run("build a.frag -o none/out.glsl").code, 99);
+  EXPECT_EQ(run("build a.frag -o .").code, 99);
+  EXPECT_EQ(run("build a.frag -o /dev/full").code, 99);
+  EXPECT_EQ(run("build a.frag -o /dev/null").code, 0);
+}
+
+TEST_F(Gnomonc, IncludeFolders) {
+  tree.file("a.frag", "#include <x.glsl>\nvoid main() { x(); }\n");
+  tree.file("one/x.glsl", "void x() {}\n");
+  EXPECT_EQ(run("build a.frag").code, 1);
+  EXPECT_EQ(run("build -I none -I one a.frag").code, 0);
+}
+
+TEST_F(Gnomonc, CheckTakesEveryFileAndTheWorstCode) {
+  tree.file("good.glsl", "float f(float x) { return x; }\n");
+  tree.file("bad.glsl", "float f(float x) { return y; }\n");
+  tree.file("loop.glsl", "void f() { while (true) {} }\n");
+  EXPECT_EQ(run("check good.glsl").code, 0);
+  const Outcome mixed = run("check bad.glsl good.glsl loop.glsl");
+  EXPECT_EQ(mixed.code, 1);
+  EXPECT_NE(mixed.err.find("bad.glsl:1: error: 'y': undeclared identifier\n"), std::string::npos);
+  EXPECT_NE(mixed.err.find("loop.glsl:1: warning: loop without a bound"), std::string::npos);
+  EXPECT_EQ(run("check bad.glsl none.glsl").code, 2);
+  EXPECT_EQ(run("build good.glsl --stage frag").code, 2);
+}
+
+TEST_F(Gnomonc, LibraryIsFoundWithoutOptions) {
+  const Outcome listed = run("list");
+  EXPECT_EQ(listed.code, 0);
+  EXPECT_NE(listed.out.find("core/portable "), std::string::npos);
+  EXPECT_EQ(listed.out.find("programs/"), std::string::npos);
+  tree.file("m.glsl", "#include <gnomon/core/portable.glsl>\nvoid f(GNOMON_OUT(float) x) { x = 1.0f; }\n");
+  EXPECT_EQ(run("check m.glsl").code, 0);
+}
+
+TEST_F(Gnomonc, HelpAndVersion) {
+  EXPECT_EQ(run("--version").out.rfind("gnomonc ", 0), 0u);
+  EXPECT_NE(run("--help").out.find("build"), std::string::npos);
+  EXPECT_EQ(run("--help").code, 0);
+  EXPECT_NE(run("build --help").out.find("glsl450"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gnomon
