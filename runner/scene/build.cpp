@@ -34,10 +34,7 @@ void read_number(const Value& object, const char* key, double& number) {
 void check_name(const std::string& noun, const std::string& name, const std::vector<std::string>& known,
                 json::Place place, const std::string& pointer, Report& report) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  const std::string nearest = did_you_mean(name, known);
-  report.error(place, pointer,
-               "unknown " + noun + " \"" + name + "\"" +
-                   (nearest.empty() ? "; expected one of " + quoted_list(known) : nearest));
+  report.error(place, pointer, unknown_name(noun, name, known));
 }
 
 void check_channel(const json::Member& member, const std::string& pointer, const Vocabulary& vocabulary,

@@ -71,17 +71,18 @@ std::string_view before(std::string_view text, std::string_view mark) {
 std::string plain_words(std::string_view what) {
   if (what.find("number overflow") != what.npos)
     return "this number is too large for a double (above 1.8e308)";
+  constexpr std::string_view kLastRead = "; last read:", kExpected = "'; expected ";
   const std::string_view cause = after(after(what, "syntax error"), " - ");
-  std::string words(before(cause, "; last read:"));
-  for (const std::string_view prefix : {"invalid string: ", "invalid literal", "invalid number; "}) {
-    if (!words.starts_with(prefix)) continue;
-    words = prefix == "invalid literal"
-                ? "this is neither a string in double quotes, a number, true, false nor null"
-                : words.substr(prefix.size());
+  std::string words(before(cause, kLastRead));
+  if (words == "invalid literal") {
+    words = "this is neither a string in double quotes, a number, true, false nor null";
   }
-  if (const std::string_view expected = after(cause, "; expected ");
-      expected != cause && !words.ends_with(expected)) {
-    words += "; expected " + std::string(expected);
+  for (const std::string_view prefix : {"invalid string: ", "invalid number; "}) {
+    if (words.starts_with(prefix)) words.erase(0, prefix.size());
+  }
+  const std::size_t expected = cause.rfind(kExpected);  // after what was read last, if that is quoted
+  if (cause.find(kLastRead) != cause.npos && expected != cause.npos) {
+    words += "; expected " + std::string(cause.substr(expected + kExpected.size()));
   }
   return words;
 }
@@ -129,9 +130,10 @@ class Builder {
       return false;
     }
     const std::string_view what = error.what();
-    if (what.find("unexpected ") != what.npos && what.find("unexpected '") == what.npos) {
+    const bool misplaced = what.find("unexpected ") != what.npos && what.find("unexpected '") == what.npos;
+    if (misplaced || what.find("number overflow") != what.npos) {
       fail(token_place(false),
-           "invalid JSON: " + plain_words(what));  // a whole token is misplaced: its start
+           "invalid JSON: " + plain_words(what));  // it is about a whole token: where that starts
       return false;
     }
     const bool comment = text_[offset] == '/' || text_[offset] == '#' ||
@@ -166,8 +168,7 @@ class Builder {
   /// Where the token that was just read starts. A number's end is only known one byte later.
   Place token_place(bool is_number) {
     const std::size_t start = std::min(text_.find_first_not_of(" \t\r\n,:", token_end_), text_.size());
-    token_end_ = read_;
-    if (is_number) token_end_ = std::min(text_.find_first_not_of("+-.0123456789eE", start), text_.size());
+    token_end_ = is_number && read_ < text_.size() ? read_ - 1 : read_;
     return lines_.at(start, source_);
   }
 
@@ -302,14 +303,15 @@ std::string dump(const Value& value) {
   return to_nlohmann(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
+std::string shortened(std::string text, std::size_t longest) {
+  if (text.size() <= longest) return text;
+  while (longest > 0 && (static_cast<unsigned char>(text[longest]) & 0xC0U) == 0x80U) --longest;
+  text.resize(longest);
+  return text + "…";
+}
+
 std::string excerpt(const Value& value) {
-  constexpr std::size_t kLongest = 60;
-  std::string text = dump(value);
-  if (text.size() <= kLongest) return text;
-  std::size_t cut = kLongest;
-  while (cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xC0U) == 0x80U)
-    --cut;  // not inside a UTF-8 character
-  return text.substr(0, cut) + "…";
+  return shortened(dump(value), 60);
 }
 
 std::string child(const std::string& pointer, std::string_view key) {

@@ -73,6 +73,9 @@ struct Parsed {
 /// One line of JSON, keys sorted, numbers in their shortest form. Bytes that are not UTF-8 become U+FFFD.
 [[nodiscard]] std::string dump(const Value& value);
 
+/// `text`, or its first `longest` bytes (no UTF-8 character is cut) and "…".
+[[nodiscard]] std::string shortened(std::string text, std::size_t longest);
+
 /// `dump`, shortened for a message.
 [[nodiscard]] std::string excerpt(const Value& value);
 

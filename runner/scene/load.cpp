@@ -20,6 +20,8 @@ using json::Value;
 
 /// A matrix that brings a mistake in each combination is not tried to its end.
 constexpr std::size_t kEnoughErrors = 100;
+/// Inline heights that the tests of one file may hold together: half a gigabyte.
+constexpr std::size_t kMostHeights = std::size_t{1} << 26U;
 
 /// The --set arguments, and their names as Report wants them.
 struct Overrides {
@@ -87,6 +89,7 @@ void check_known_size(const Scene& scene, const Value& root, const Vocabulary& v
 std::vector<Scene> build_tests(const Matrix& matrix, const BuildContext& context, const std::string& id,
                                Report& report) {
   std::vector<Scene> tests;
+  std::size_t heights = 0;
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     Combination combination = matrix.at(i);
     report.set_aliases(std::move(combination.aliases));
@@ -94,7 +97,13 @@ std::vector<Scene> build_tests(const Matrix& matrix, const BuildContext& context
     if (!report.ok()) combination.root = sound_sections(std::move(combination.root), report);
     Scene scene = build_scene(combination.root, context, report);
     check_known_size(scene, combination.root, context.vocabulary, report);
-    if (report.count() > kEnoughErrors) break;
+    const InlineTerrain* written = std::get_if<InlineTerrain>(&scene.terrain.source);
+    heights += written ? written->heights.size() : 0;
+    if (heights > kMostHeights) {
+      report.error(place_of(combination.root, "/terrain"), "/terrain",
+                   "too many heights for a matrix of this size; keep them in an image file");
+    }
+    if (report.count() > kEnoughErrors || heights > kMostHeights) break;
     scene.id = id + combination.suffix;
     scene.golden_file = golden_file(context.project, scene.id);
     tests.push_back(std::move(scene));

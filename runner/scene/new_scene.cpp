@@ -20,7 +20,8 @@ bool is_scene_path(const std::string& name) {
     return (c < 128 && std::isalnum(c) != 0) ||
            std::string_view("_-.+/").find(static_cast<char>(c)) != std::string::npos;
   });
-  const bool whole = path.has_filename() && !path.stem().empty() && !path.is_absolute();
+  const bool whole = name.find("//") == std::string::npos && path.has_filename() && !path.stem().empty() &&
+                     !path.is_absolute();
   return plain && whole && std::none_of(path.begin(), path.end(), [](const fs::path& part) {
            return part.empty() || part.native().starts_with('.');
          });

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace gnomon::scene {
 namespace {
 
 /// More would hide the first ones; a file with so many mistakes is not a scene.
 constexpr std::size_t kMostErrors = 100;
+constexpr std::size_t kLongestMessage = 1000;  // bytes; a key of a hostile file may be longer
 
 }  // namespace
 
@@ -19,11 +21,12 @@ void Report::error(json::Place place, const std::string& pointer, const std::str
 }
 
 void Report::add(const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics) {
+  for (Diagnostic diagnostic : diagnostics) {
+    diagnostic.message = json::shortened(std::move(diagnostic.message), kLongestMessage);
     if (diagnostics_.size() >= kMostErrors) {
       ++left_out_;
     } else if (seen_.insert(to_string(diagnostic)).second) {
-      diagnostics_.push_back(diagnostic);
+      diagnostics_.push_back(std::move(diagnostic));
     }
   }
 }

@@ -16,22 +16,26 @@ struct FileTerrain {
   /// Ready to open: absolute or relative to the working directory; inside the scene's root.
   std::string path;
   std::optional<std::string> channel;
+  friend bool operator==(const FileTerrain&, const FileTerrain&) = default;
 };
 struct InlineTerrain {
   int width = 0, height = 0;
   std::vector<double> heights;  ///< row-major, north row first, stored units (times vertical_scale: metres)
+  friend bool operator==(const InlineTerrain&, const InlineTerrain&) = default;
 };
 struct ProceduralTerrain {
   std::string kind;
   int width = 256, height = 256;
   std::uint32_t seed = 0;
   std::map<std::string, double> parameters;
+  friend bool operator==(const ProceduralTerrain&, const ProceduralTerrain&) = default;
 };
 
 struct Terrain {
   std::variant<FileTerrain, InlineTerrain, ProceduralTerrain> source;
   std::optional<std::array<double, 2>> spacing;  ///< metres per sample (x, y); absent: 1 m
   double vertical_scale = 1.0;
+  friend bool operator==(const Terrain&, const Terrain&) = default;
 };
 
 /// Either angles in degrees, or a direction towards the sun that `load` has turned into angles.

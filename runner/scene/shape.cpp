@@ -91,8 +91,7 @@ class Settler {
     for (const Member& member : members_of(value)) {
       if (std::find(known.begin(), known.end(), member.key) != known.end()) continue;
       unknown_key = true;
-      report_.error(member.place, child(pointer, member.key),
-                    "unknown key \"" + member.key + "\"" + did_you_mean(member.key, known));
+      report_.error(member.place, child(pointer, member.key), unknown_name("key", member.key, known));
     }
     if (unknown_key) return;
     report_.error(
@@ -157,10 +156,7 @@ bool explain_keys(const Spot& spot, Report& report) {
   const std::vector<std::string> known = property_keys(*spot.schema);
   for (const Member& member : *members) {
     if (member_schema(*spot.schema, member.key)) continue;
-    const std::string nearest = did_you_mean(member.key, known);
-    report.error(member.place, child(spot.pointer, member.key),
-                 "unknown key \"" + member.key + "\"" +
-                     (nearest.empty() ? "; known here: " + quoted_list(known) : nearest));
+    report.error(member.place, child(spot.pointer, member.key), unknown_name("key", member.key, known));
     explained = true;
   }
   return explained;

@@ -25,12 +25,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
-}  // namespace
-
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
+/// The nearest of `known`; null where none is near.
+const std::string* nearest(std::string_view word, const std::vector<std::string>& known) {
   constexpr std::size_t kLongestWord = 64;
-  if (word.size() > kLongestWord) return "";
-  std::size_t best_distance = std::min<std::size_t>(2, std::max<std::size_t>(1, word.size() / 3)) + 1;
+  if (word.size() > kLongestWord) return nullptr;
+  std::size_t best_distance = std::clamp<std::size_t>(word.size() / 3, 1, 2) + 1;
   const std::string* best = nullptr;
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(word, candidate);
@@ -38,7 +37,16 @@ std::string did_you_mean(std::string_view word, const std::vector<std::string>& 
     best_distance = distance;
     best = &candidate;
   }
-  return best ? "; did you mean \"" + *best + "\"?" : "";
+  return best;
+}
+
+}  // namespace
+
+std::string unknown_name(std::string_view noun, std::string_view word,
+                         const std::vector<std::string>& known) {
+  const std::string text = "unknown " + std::string(noun) + " \"" + std::string(word) + "\"; ";
+  if (const std::string* near = nearest(word, known)) return text + "did you mean \"" + *near + "\"?";
+  return text + (known.empty() ? "expected none" : "expected one of " + quoted_list(known));
 }
 
 std::string quoted_list(const std::vector<std::string>& words) {

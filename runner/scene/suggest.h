@@ -8,9 +8,10 @@
 
 namespace gnomon::scene {
 
-/// `; did you mean "x"?` for the nearest of `known` (at most two typing errors, a third of the word), else
-/// "".
-[[nodiscard]] std::string did_you_mean(std::string_view word, const std::vector<std::string>& known);
+/// `unknown NOUN "word"; did you mean "x"?` with the nearest of `known` (at most two typing errors, one in a
+/// short word), else with all of them.
+[[nodiscard]] std::string unknown_name(std::string_view noun, std::string_view word,
+                                       const std::vector<std::string>& known);
 
 /// `"a", "b", "c"`.
 [[nodiscard]] std::string quoted_list(const std::vector<std::string>& words);
