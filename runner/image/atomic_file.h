@@ -1,18 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Files that are either whole or untouched.
+// The atomic output that the compiler and the runner share, under the name that image's callers use.
 #pragma once
 
-#include <cstddef>
-#include <span>
-#include <string>
-
-#include "gnomon/diagnostic.h"
+#include "gnomon/atomic_file.h"
 
 namespace gnomon::image {
 
-/// Replaces `path` by `bytes`: a temporary file beside it, flushed to the disk, then renamed. On failure
-/// (Failure::kMachine: no such folder, not writable, disk full) an older file stays whole and no other file
-/// remains.
-[[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
+using gnomon::write_file_atomically;
 
 }  // namespace gnomon::image

@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "image/atomic_file.h"
+#include "gnomon/atomic_file.h"
 #include "image/stored_image.h"
 
 namespace gnomon::image {

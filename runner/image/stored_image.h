@@ -16,7 +16,7 @@
 namespace gnomon::image {
 
 /// How the numbers lie in memory; 16-bit floats are widened to 32 on reading.
-enum class NumberType { kUint8, kInt8, kUint16, kInt16, kUint32, kInt32, kFloat, kDouble };
+enum class NumberType { kUint8, kInt8, kUint16, kInt16, kUint32, kInt32, kFloat };
 
 /// The first image of a file, row 0 on top, the channels of a pixel side by side.
 struct StoredImage {
