@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "image/hillshade.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gnomon::image {
+namespace {
+
+constexpr int kSize = 33;
+
+int brightness(const Picture& picture, int row, int column) {
+  const auto first = 3 * static_cast<std::size_t>(row * picture.width + column);
+  return picture.rgb[first] + picture.rgb[first + 1] + picture.rgb[first + 2];
+}
+
+/// A round hill in the middle of the map.
+std::vector<float> hill() {
+  std::vector<float> heights;
+  for (int row = 0; row < kSize; ++row)
+    for (int column = 0; column < kSize; ++column)
+      heights.push_back(
+          std::max(0.0f, 10.0f - std::hypot(static_cast<float>(row - 16), static_cast<float>(column - 16))));
+  return heights;
+}
+
+std::vector<float> all(float value) {
+  return std::vector<float>(kSize * kSize, value);
+}
+
+TEST(Hillshade, TheSideTowardsTheSunIsBrighter) {
+  struct Case {
+    double azimuth;
+    int row, column, opposite_row, opposite_column;
+  };
+  for (const Case& c : {Case{0, 10, 16, 22, 16}, Case{90, 16, 22, 16, 10}, Case{180, 22, 16, 10, 16},
+                        Case{270, 16, 10, 16, 22}, Case{315, 12, 12, 20, 20}}) {
+    const Picture picture = hillshade(hill(), kSize, kSize, 1, 1, all(1), c.azimuth, 45);
+    EXPECT_GT(brightness(picture, c.row, c.column),
+              brightness(picture, c.opposite_row, c.opposite_column) + 60)
+        << "azimuth " << c.azimuth;
+  }
+}
+
+TEST(Hillshade, ShadowsAreClearlyDarkerAndBluer) {
+  std::vector<float> k_shadow = all(1);
+  for (int column = 0; column < kSize; ++column) k_shadow[static_cast<std::size_t>(column)] = 0.3f;
+  const Picture picture = hillshade(all(100), kSize, kSize, 1, 1, k_shadow, 315, 10);
+  EXPECT_LT(brightness(picture, 0, 5), 0.7 * brightness(picture, 1, 5));
+  const auto blue_to_red = [&](int row) {
+    const auto first = 3 * static_cast<std::size_t>(row * kSize + 5);
+    return static_cast<double>(picture.rgb[first + 2]) / picture.rgb[first];
+  };
+  EXPECT_GT(blue_to_red(0), blue_to_red(1));
+}
+
+TEST(Hillshade, MapsOfOneSampleHaveAPicture) {
+  EXPECT_EQ(hillshade({5}, 1, 1, 1, 1, {1}, 0, 90).rgb.size(), 3u);
+  EXPECT_EQ(hillshade({5, 7}, 1, 2, 1, 1, {1, 0}, 0, -20).rgb.size(), 6u);
+}
+
+TEST(Grey, RunsFromBlackToWhite) {
+  const Picture picture = grey({-9, 0, 1, 2, 99}, 5, 1, 0, 2);
+  EXPECT_EQ(picture.rgb,
+            (std::vector<unsigned char>{0, 0, 0, 0, 0, 0, 128, 128, 128, 255, 255, 255, 255, 255, 255}));
+}
+
+TEST(Enlarge, MakesSquares) {
+  const Picture large = enlarge({2, 1, {1, 2, 3, 4, 5, 6}}, 2);
+  EXPECT_EQ(large.width, 4);
+  EXPECT_EQ(large.height, 2);
+  const std::vector<unsigned char> row{1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6};
+  EXPECT_EQ(std::vector<unsigned char>(large.rgb.begin(), large.rgb.begin() + 12), row);
+  EXPECT_EQ(std::vector<unsigned char>(large.rgb.begin() + 12, large.rgb.end()), row);
+}
+
+}  // namespace
+}  // namespace gnomon::image
