@@ -28,7 +28,7 @@ TEST_F(Check, CallsEveryFunctionAndUsesItsResults) {
       "float twice(float x) { return 2.0f * x; }\n"
       "Map grown(Map map, GNOMON_OUT(vec2) by) { by = vec2(1.0f, 1.0f); map.highest += by.x; return map; }\n"
       "void nothing() {}\n");
-  EXPECT_NE(text.find("float gnomon_check_0 = float(gnomon_check_input + 1.0); "
+  EXPECT_NE(text.find("float gnomon_check_0; gnomon_check_0 = float(gnomon_check_input + 1.0); "
                       "float gnomon_check_returned = twice(gnomon_check_0); "
                       "gnomon_check_sum += 0.0 + float(gnomon_check_returned);"),
             std::string::npos)
@@ -87,6 +87,18 @@ TEST_F(Check, EveryKindOfParameter) {
           "Outer g(Outer o) { return o; }\n"
           "float h(float x) { return x; }\nfloat h(vec2 x) { return x.x; }\n"),
       "no error");
+}
+
+TEST_F(Check, HugeTypesEndInAResult) {
+  EXPECT_EQ(error_in("struct S { float a[1000000]; int b; };\nS f(S s) { return s; }\nS host(S s);\n"
+                     "S g(S s) { return host(s); }\n"),
+            "no error");
+}
+
+TEST_F(Check, StructuresOfSamplers) {
+  EXPECT_EQ(error_in("struct Maps { sampler2D height[2]; float scale; };\n"
+                     "float f(Maps maps) { return texture(maps.height[1], vec2(0.5f)).x * maps.scale; }\n"),
+            "no error");
 }
 
 TEST_F(Check, EveryStage) {

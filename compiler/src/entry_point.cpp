@@ -53,15 +53,19 @@ bool is_written(const Parameter& parameter) {
   return parameter.passing == Passing::kOut || parameter.passing == Passing::kInOut;
 }
 
+bool is_opaque(const Parameter& parameter) {
+  return parameter.type.kind == Type::Kind::kOpaque;
+}
+
 std::string argument_name(size_t i) {
   return fmt::format("gnomon_check_{}", i);
 }
 
 // " + float(name.x) + ..." over every scalar of a value.
 std::string sum_of(const Type& type, const std::string& name) {
-  if (type.opaque || type.name == "void") return {};
-  if (type.parts.empty()) return fmt::format(" + float({})", name);
+  if (type.kind == Type::Kind::kScalar) return fmt::format(" + float({})", name);
   std::string sum;
+  if (type.kind != Type::Kind::kComposite) return sum;
   for (const Type::Part& part : type.parts) sum += sum_of(part.type, name + part.accessor);
   return sum;
 }
@@ -97,18 +101,19 @@ class EntryPoint {
     module_.origins.push_back(origin);
   }
 
-  // A value that no compiler can know, different each time: equal ones would cancel in the function.
-  std::string value_of(const Type& type, const std::string& seed) {
-    if (type.parts.empty()) return fmt::format("{}({} + {}.0)", type.name, seed, ++values_);
-    std::string value = type.name + "(";
-    for (size_t i = 0; i < type.parts.size(); ++i) {
-      value += (i == 0 ? "" : ", ") + value_of(type.parts[i].type, seed);
-    }
-    return value + ")";
+  // Statements that give every scalar of a variable a value that no compiler can know, each another: equal
+  // ones would cancel in the function.
+  std::string assign(const Type& type, const std::string& name, std::string_view seed) {
+    if (type.kind == Type::Kind::kScalar)
+      return fmt::format("{} = {}({} + {}.0); ", name, type.name, seed, ++values_);
+    std::string statements;
+    for (const Type::Part& part : type.parts) statements += assign(part.type, name + part.accessor, seed);
+    return statements;
   }
 
   // A host function whose result depends on everything that it is given.
   void define(const Function& function, LineOrigin origin) {
+    constexpr std::string_view seed = "gnomon_check_sum";
     std::string parameters;
     std::string given;
     std::string written;
@@ -117,14 +122,15 @@ class EntryPoint {
       const std::string name = argument_name(i);
       parameters += fmt::format("{}{}{} {}", i == 0 ? "" : ", ", spell(passing), type.name, name);
       if (passing != Passing::kOut) given += sum_of(type, name);
-      if (is_written(function.parameters[i]))
-        written += fmt::format("{} = {}; ", name, value_of(type, "gnomon_check_sum"));
+      if (is_written(function.parameters[i])) written += assign(type, name, seed);
     }
-    const bool returns = function.result.name != "void";
-    const std::string result =
-        returns ? fmt::format("return {};", value_of(function.result, "gnomon_check_sum")) : "";
-    emit(fmt::format("{} {}({}) {{ gnomon_check_sum += gnomon_check_input{}; {}{} }}", function.result.name,
-                     function.name, parameters, given, written, result),
+    if (function.result.kind != Type::Kind::kVoid) {
+      const std::string result = "gnomon_check_returned";
+      written += fmt::format("{} {}; {}return {};", function.result.name, result,
+                             assign(function.result, result, seed), result);
+    }
+    emit(fmt::format("{} {}({}) {{ {} += gnomon_check_input{}; {} }}", function.result.name, function.name,
+                     parameters, seed, given, written),
          origin);
   }
 
@@ -134,9 +140,9 @@ class EntryPoint {
 
   void declare_opaque(const Function& function) {
     for (size_t i = 0; i < function.parameters.size(); ++i) {
-      const Type& type = function.parameters[i].type;
-      if (type.opaque)
-        emit(fmt::format("uniform {} {};", type.name, opaque_name(function, i)), origin_of(function.line));
+      if (!is_opaque(function.parameters[i])) continue;
+      emit(fmt::format("uniform {} {};", function.parameters[i].type.name, opaque_name(function, i)),
+           origin_of(function.line));
     }
   }
 
@@ -145,15 +151,17 @@ class EntryPoint {
     std::string arguments;
     std::string results;
     for (size_t i = 0; i < function.parameters.size(); ++i) {
-      const Type& type = function.parameters[i].type;
-      const std::string name = type.opaque ? opaque_name(function, i) : argument_name(i);
-      if (!type.opaque)
-        variables += fmt::format("{} {} = {}; ", type.name, name, value_of(type, "gnomon_check_input"));
-      if (is_written(function.parameters[i])) results += sum_of(type, name);
+      const Parameter& parameter = function.parameters[i];
+      const std::string name = is_opaque(parameter) ? opaque_name(function, i) : argument_name(i);
+      if (!is_opaque(parameter)) {
+        variables += fmt::format("{} {}; {}", parameter.type.name, name,
+                                 assign(parameter.type, name, "gnomon_check_input"));
+      }
+      if (is_written(parameter)) results += sum_of(parameter.type, name);
       arguments += fmt::format("{}{}", i == 0 ? "" : ", ", name);
     }
-    const bool returns = function.result.name != "void";
-    if (returns) results += sum_of(function.result, "gnomon_check_returned");
+    results += sum_of(function.result, "gnomon_check_returned");
+    const bool returns = function.result.kind != Type::Kind::kVoid;
     const std::string taken = returns ? function.result.name + " gnomon_check_returned = " : "";
     emit(fmt::format("{{ {}{}{}({}); gnomon_check_sum += 0.0{}; }}", variables, taken, function.name,
                      arguments, results),

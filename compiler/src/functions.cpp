@@ -10,54 +10,79 @@
 namespace gnomon::compiler {
 namespace {
 
-std::string scalar_name(const glslang::TType& type) {
-  return glslang::TType::getBasicString(type.getBasicType());
-}
-
 // "vec" of float, "ivec" of int ...
 std::string vector_prefix(const std::string& scalar) {
   return scalar == "float" ? "" : scalar.substr(0, 1);
 }
 
-void add_parts(Type& type, int count, const Type& part) {
-  for (int i = 0; i < count; ++i) type.parts.push_back({fmt::format("[{}]", i), part});
-}
+// Takes one type apart.
+class TypeReader {
+ public:
+  Type read(const glslang::TType& from) {
+    if (from.isArray()) return array(from);
+    if (from.isStruct()) return structure(from);
+    if (from.getBasicType() == glslang::EbtSampler)
+      return {Type::Kind::kOpaque, from.getSampler().getString().c_str(), {}};
+    const std::string name = glslang::TType::getBasicString(from.getBasicType());
+    if (from.getBasicType() == glslang::EbtVoid) return {Type::Kind::kVoid, name, {}};
+    if (from.isMatrix()) return matrix(name, from.getMatrixCols(), from.getMatrixRows());
+    return from.isVector() ? vector(name, from.getVectorSize()) : scalar(name);
+  }
 
-Type vector_of(const std::string& scalar, int size) {
-  Type type{fmt::format("{}vec{}", vector_prefix(scalar), size)};
-  add_parts(type, size, Type{scalar});
-  return type;
-}
+ private:
+  // Whoever uses the type writes a line of text for every scalar.
+  static constexpr int kMostScalars = 1024;
 
-Type matrix_of(const glslang::TType& from) {
-  const std::string scalar = scalar_name(from);
-  Type type{fmt::format("{}mat{}x{}", vector_prefix(scalar), from.getMatrixCols(), from.getMatrixRows())};
-  add_parts(type, from.getMatrixCols(), vector_of(scalar, from.getMatrixRows()));
-  return type;
-}
+  Type scalar(const std::string& name) {
+    ++scalars_;
+    return {Type::Kind::kScalar, name, {}};
+  }
 
-Type read_type(const glslang::TType& from) {
-  if (from.isArray()) {
-    const Type element = read_type(glslang::TType(from, 0));
-    const int size = from.getOuterArraySize();
-    // The outermost size comes first: an array of 2 arrays of 3 is float[2][3].
-    const size_t bracket = std::min(element.name.find('['), element.name.size());
-    Type type{fmt::format("{}[{}]{}", element.name.substr(0, bracket), size, element.name.substr(bracket)),
-              element.opaque};
-    add_parts(type, size, element);
+  Type vector(const std::string& scalar_name, int size) {
+    Type type{Type::Kind::kComposite, fmt::format("{}vec{}", vector_prefix(scalar_name), size), {}};
+    for (int i = 0; i < size; ++i) type.parts.push_back({fmt::format("[{}]", i), scalar(scalar_name)});
     return type;
   }
-  if (from.getBasicType() == glslang::EbtSampler) return {from.getSampler().getString().c_str(), true, {}};
-  if (from.isStruct()) {
-    Type type{from.getTypeName().c_str()};
-    for (const glslang::TTypeLoc& member : *from.getStruct()) {
-      type.parts.push_back({std::string(".") + member.type->getFieldName().c_str(), read_type(*member.type)});
+
+  Type matrix(const std::string& scalar_name, int columns, int rows) {
+    Type type{
+        Type::Kind::kComposite, fmt::format("{}mat{}x{}", vector_prefix(scalar_name), columns, rows), {}};
+    for (int i = 0; i < columns; ++i)
+      type.parts.push_back({fmt::format("[{}]", i), vector(scalar_name, rows)});
+    return type;
+  }
+
+  Type array(const glslang::TType& from) {
+    const glslang::TType element_type(from, 0);
+    Type element = read(element_type);
+    // The outermost size comes first: two arrays of three are float[2][3].
+    const size_t bracket = std::min(element.name.find('['), element.name.size());
+    const int size = from.getOuterArraySize();
+    Type type{element.kind == Type::Kind::kOpaque ? element.kind : Type::Kind::kComposite,
+              fmt::format("{}[{}]{}", element.name.substr(0, bracket), size, element.name.substr(bracket)),
+              {}};
+    type.parts.push_back({"[0]", std::move(element)});
+    for (int i = 1; i < size && scalars_ < kMostScalars; ++i) {
+      type.parts.push_back({fmt::format("[{}]", i), read(element_type)});
     }
     return type;
   }
-  if (from.isMatrix()) return matrix_of(from);
-  if (from.isVector()) return vector_of(scalar_name(from), from.getVectorSize());
-  return {scalar_name(from)};
+
+  Type structure(const glslang::TType& from) {
+    Type type{Type::Kind::kComposite, from.getTypeName().c_str(), {}};
+    for (const glslang::TTypeLoc& member : *from.getStruct()) {
+      if (scalars_ >= kMostScalars) break;
+      type.parts.push_back({std::string(".") + member.type->getFieldName().c_str(), read(*member.type)});
+      if (type.parts.back().type.kind == Type::Kind::kOpaque) type.kind = Type::Kind::kOpaque;
+    }
+    return type;
+  }
+
+  int scalars_ = 0;
+};
+
+Type read_type(const glslang::TType& from) {
+  return TypeReader().read(from);
 }
 
 Passing read_passing(glslang::TStorageQualifier qualifier) {

@@ -123,6 +123,7 @@ std::string make_readable(std::string_view text) {
   for (const std::string_view storage : {"const", "in", "out", "inout", "uniform"}) {
     reason = replace_all(reason, fmt::format("' {} ", storage), fmt::format("'{} ", storage));
   }
+  if (reason == "memory exhausted") return "nested too deeply for the GLSL compiler";
   if (token.empty()) return reason;
   return token.starts_with('#') ? fmt::format("{}: {}", token, reason)
                                 : fmt::format("'{}': {}", token, reason);

@@ -12,10 +12,16 @@ namespace gnomon::compiler {
 
 /// A GLSL type, taken apart.
 struct Type {
+  enum class Kind {
+    kVoid,
+    kScalar,
+    kComposite,  ///< a vector, matrix, array or structure
+    kOpaque      ///< a sampler or image, or something that holds one: only a uniform can be one
+  };
   struct Part;
+  Kind kind = Kind::kScalar;
   std::string name;         ///< as GLSL spells it: "float", "ivec2", "GnomonMap", "float[3]", "void"
-  bool opaque = false;      ///< a sampler or image: only a uniform can be one
-  std::vector<Part> parts;  ///< what its constructor takes; empty for scalars, opaque types and void
+  std::vector<Part> parts;  ///< of a composite; of a very large one only the first
 };
 struct Type::Part {
   std::string accessor;  ///< ".size" of a structure, "[1]" of a vector, matrix or array
