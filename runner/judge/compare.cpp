@@ -21,7 +21,7 @@ std::string limit_text(const CompareOptions& options) {
 std::string measured_text(const Verdict& verdict, double share) {
   std::string text = fmt::format("{:.0f} of {:.0f} pixels differ", verdict.mismatches, verdict.compared);
   if (share > 0) text += fmt::format(" ({})", percent_text(share));
-  if (verdict.in_band > 0) text += fmt::format("; {:.0f} more in the band", verdict.in_band);
+  if (verdict.in_band > 0) text += fmt::format("; {:.0f} in the band not counted", verdict.in_band);
   return text;
 }
 
@@ -52,10 +52,10 @@ Verdict count(const image::Image& actual, const image::Image& expected, const Co
 using Colour = std::array<unsigned char, 3>;
 constexpr Colour kDiffers{224, 32, 48};
 constexpr Colour kExcused{250, 204, 21};
-// Less than black and white, so that the signal colours stand out.
-constexpr Colour kLit{196, 196, 196};
-constexpr Colour kShadow{96, 96, 96};
-constexpr Colour kNoSurface{24, 26, 30};
+// Pale, so that the signal colours stand out, single pixels of a large picture too.
+constexpr Colour kLit{232, 232, 232};
+constexpr Colour kShadow{176, 176, 176};
+constexpr Colour kNoSurface{64, 66, 72};
 
 Colour background(const image::Image& expected, std::size_t pixel) {
   const std::vector<float>* b_shadow = expected.channel("b_shadow");

@@ -108,13 +108,14 @@ Verdict judge_max_steps(const scene::MaxStepsExpectation& expectation, const Evi
   const int y = pixel / evidence.actual.width;
   const auto above =
       std::count_if(steps->begin(), steps->end(), [&](float n) { return double{n} > expectation.limit; });
-  return {.expectation = name,
-          .passed = above == 0,
-          .measured = fmt::format("up to {} steps, at ({}, {})", number_text(*most), x, y),
-          .limit = fmt::format("at most {} steps", number_text(expectation.limit)),
-          .worst = WorstPixel{x, y, "steps", *most, expectation.limit},
-          .mismatches = static_cast<double>(above),
-          .compared = static_cast<double>(steps->size())};
+  Verdict verdict{.expectation = name,
+                  .passed = above == 0,
+                  .measured = fmt::format("up to {} steps, at ({}, {})", number_text(*most), x, y),
+                  .limit = fmt::format("at most {} steps", number_text(expectation.limit)),
+                  .mismatches = static_cast<double>(above),
+                  .compared = static_cast<double>(steps->size())};
+  if (!verdict.passed) verdict.worst = {x, y, "steps", *most, expectation.limit};
+  return verdict;
 }
 
 /// One overload for each alternative of scene::Expectation.

@@ -68,7 +68,7 @@ struct CompareOptions {
                               const CompareOptions& options);
 
 /// Where two images differ, for a person, in the size of `expected`: differing pixels red, those that the
-/// band excuses yellow, over a dimmed expected b_shadow, nearly black where there is no surface. All red
+/// band excuses yellow, over a pale expected b_shadow, dark grey where there is no surface. All red
 /// where the images cannot be compared (another size, a channel that `actual` lacks).
 [[nodiscard]] image::Picture difference_picture(const image::Image& actual, const image::Image& expected,
                                                 const CompareOptions& options);

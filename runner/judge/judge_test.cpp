@@ -220,7 +220,9 @@ TEST(Judge, AProbeOfAChannelThatIsNotThereFails) {
 TEST(Judge, NoPixelMayTakeMoreStepsThanTheLimit) {
   image::Image actual = shadow_image(8, 2);  // steps 0 ... 7
   const Evidence evidence{.actual = actual};
-  EXPECT_TRUE(judge_one(MaxStepsExpectation{.limit = 7}, evidence).passed);
+  const Verdict within = judge_one(MaxStepsExpectation{.limit = 7}, evidence);
+  EXPECT_TRUE(within.passed);
+  EXPECT_EQ(within.measured, "up to 7 steps, at (7, 0)");
   const Verdict verdict = judge_one(MaxStepsExpectation{.limit = 5}, evidence);
   EXPECT_FALSE(verdict.passed);
   EXPECT_EQ(verdict.mismatches, 4);

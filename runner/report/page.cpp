@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "image/atomic_file.h"
+#include "gnomon/atomic_file.h"
 #include "judge/number_text.h"
 #include "report/page_template.h"
 #include "report/picture_link.h"
@@ -34,19 +34,19 @@ std::string worst_text(const judge::Verdict& verdict) {
                      judge::number_text(worst.actual), judge::number_text(worst.expected));
 }
 
+/// An empty text would count as present in a template.
+void set_text(data& view, const std::string& key, const std::string& text) {
+  text.empty() ? view.set(key, false) : view.set(key, text);
+}
+
 data verdict_data(const judge::Verdict& verdict) {
   data view;
   view["passed"] = verdict.passed;
   view["expectation"] = verdict.expectation;
   view["measured"] = verdict.measured;
   view["limit"] = verdict.limit;
-  view["worst"] = worst_text(verdict);
+  set_text(view, "worst", worst_text(verdict));
   return view;
-}
-
-/// An empty text would count as present in a template.
-void set_text(data& view, const std::string& key, const std::string& text) {
-  text.empty() ? view.set(key, false) : view.set(key, text);
 }
 
 data picture_data(const std::string& name, const std::string& png, const std::string& exr,
@@ -157,8 +157,8 @@ Result<Done> write_page(const std::string& directory, const std::vector<TestResu
   }
   mustache page{std::string(page_template())};
   const std::string html = page.render(page_data(directory, results, info));
-  return image::write_file_atomically((std::filesystem::path(directory) / "index.html").string(),
-                                      std::as_bytes(std::span(html)));
+  return write_file_atomically((std::filesystem::path(directory) / "index.html").string(),
+                               std::as_bytes(std::span(html)));
 }
 
 }  // namespace gnomon::report
