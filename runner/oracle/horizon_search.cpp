@@ -93,8 +93,8 @@ void HorizonSearch::walk_patch() {
 }
 
 // The candidates for H* in one patch: its exit (its entry was the exit of the patch before), and the point
-// where the line of sight touches the surface. With the surface A d^2 + B d + C above the receiver, that is d
-// = sqrt(C / A).
+// where the line of sight touches the surface. Where the surface is A d^2 + B d + C above the receiver, it
+// touches at sqrt(C/A).
 void HorizonSearch::look_at_patch(double exit) {
   const Patch patch(surface_, column_, row_, datum_);
   const double x = fraction_of_patch(x_, column_, distance_);
@@ -102,8 +102,8 @@ void HorizonSearch::look_at_patch(double exit) {
   const auto [linear, quadratic] = patch.profile(x, y, x_.rate, y_.rate);  // about the entry
   const double length = exit - distance_;
 
-  if (distance_ == 0 &&
-      on_ground_) {  // C is exactly 0: the slope is A d + B, and its limit at the receiver is B
+  if (distance_ == 0 && on_ground_) {
+    // C is exactly 0: the slope is A d + B, and B is its limit at the receiver.
     const double slope_at_exit = linear + quadratic * length;
     best_ = std::max({best_, linear, slope_at_exit});
     rise_ = length * slope_at_exit;

@@ -42,7 +42,8 @@ struct GroundDirection {
 [[nodiscard]] double surface_height(const Surface& surface, double column, double row);
 
 /// H* = sup over d > 0 of (h(d) - h0) / d (d in metres along the ground towards the sun, within the domain,
-/// h0 the receiver's own height); -infinity where no surface lies ahead.
+/// h0 the receiver's own height); -infinity where no surface lies ahead or the receiver is outside the
+/// domain, +infinity from under the ground.
 [[nodiscard]] double horizon_slope(const Surface& surface, const Receiver& receiver,
                                    GroundDirection towards_sun);
 

@@ -246,22 +246,21 @@ TEST(PatchEdges, AlongRowsAndColumnsTheSteepestSampleAheadIsTheHorizon) {
 }
 
 TEST(PatchEdges, JustAheadOfTheReceiverCostNoDigits) {
-  Random random(8);
-  const auto map = make_map(12, 1, [&](int, int) { return 4000 + uniform(random, 0, 50); });
-  for (int next = 1; next < map.width; ++next) {
-    for (const double wanted : {1e-3, 1e-6, 1e-9, 1e-12}) {
-      const Receiver receiver{next + 0.5 - wanted, 0.5, 0};
-      const double gap = next + 0.5 - receiver.column;  // as far as the receiver can be told from the sample
-      const double own_slope = double(map.at(0, next)) - map.at(0, next - 1);
-      double expected = own_slope;
-      for (int ahead = next + 1; ahead < map.width; ++ahead) {
-        const double rise = double(map.at(0, ahead)) - map.at(0, next) + own_slope * gap;
-        expected = std::max(expected, rise / (ahead - next + gap));
-      }
-      const double rim = double(map.at(0, map.width - 1)) - map.at(0, next) + own_slope * gap;
-      expected = std::max(expected, rim / (map.width - 0.5 - next + gap));
-      EXPECT_NEAR(slope(map, receiver, 90), expected, 1e-11) << next << " " << gap;
-    }
+  // A ray past a corner crosses two edges within a hair's breadth: up a slope of 0.6 eastward, up one of 40,
+  // then down again. The second edge is the horizon.
+  const auto map = make_map(3, 3, [](int row, int column) {
+    constexpr double kHeights[3][3] = {
+        {4000.1, 4000.7, 4040.7}, {4000.1, 4000.7, 4040.7}, {3900.1, 3900.7, 3940.7}};
+    return kHeights[row][column];
+  });
+  const double slope_before = double(map.at(1, 1)) - map.at(1, 0);
+  const double slope_after = double(map.at(1, 2)) - map.at(1, 1);
+  for (int i = 1; i < 100; ++i) {
+    const double gap = i * 1e-11;
+    const Receiver receiver{1.5 - gap, 1.5 - 1.5 * gap, 0};
+    const double before = (1.5 - receiver.column) / 0.8, after = (1.5 - receiver.row) / 0.6 - before;
+    const double expected = 0.8 * (slope_before * before + slope_after * after) / (before + after);
+    EXPECT_NEAR(horizon_slope(map.surface(), receiver, {0.8, -0.6}), expected, 1e-12) << gap;
   }
 }
 

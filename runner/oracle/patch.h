@@ -25,10 +25,9 @@ struct Axis {
     domain_exit = distance(rate > 0 ? domain - texel : -texel);
   }
 
-  /// The patch that the track enters at the receiver: on an edge, the one that lies ahead.
-  [[nodiscard]] int first_patch() const {
-    return static_cast<int>(rate < 0 ? std::ceil(origin) : std::floor(origin) + 1);
-  }
+  /// The patch of the receiver. On an edge it is the one in front or, its crossing being of length 0, the one
+  /// behind.
+  [[nodiscard]] int first_patch() const { return static_cast<int>(std::floor(origin)) + 1; }
 
   /// Where the track is after `ground_distance` metres, samples.
   [[nodiscard]] double position(double ground_distance) const { return origin + ground_distance * rate; }
