@@ -71,8 +71,7 @@ list pictures_of(const TestResult& result, const std::string& directory) {
     return pictures;
   pictures.push_back(picture_data("Expected", result.expected_png, result.expected_exr, directory));
   pictures.push_back(picture_data("Actual", result.actual_png, result.actual_exr, directory));
-  // A test that passes has nothing to show there.
-  if (result.status != Status::kPassed || !result.difference_png.empty()) {
+  if (!result.difference_png.empty()) {
     pictures.push_back(picture_data("Difference", result.difference_png, "", directory));
   }
   return pictures;
