@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "gnomon/atomic_file.h"
-#include "judge/number_text.h"
 #include "report/page_template.h"
 #include "report/picture_link.h"
 #include "report/report.h"
@@ -27,13 +26,6 @@ std::string kind_of(Status status) {
   return "failed";
 }
 
-std::string worst_text(const judge::Verdict& verdict) {
-  if (!verdict.worst) return {};
-  const judge::WorstPixel& worst = *verdict.worst;
-  return fmt::format("({}, {}): {} is {}, expected {}", worst.x, worst.y, worst.channel,
-                     judge::number_text(worst.actual), judge::number_text(worst.expected));
-}
-
 /// An empty text would count as present in a template.
 void set_text(data& view, const std::string& key, const std::string& text) {
   text.empty() ? view.set(key, false) : view.set(key, text);
@@ -45,7 +37,7 @@ data verdict_data(const judge::Verdict& verdict) {
   view["expectation"] = verdict.expectation;
   view["measured"] = verdict.measured;
   view["limit"] = verdict.limit;
-  set_text(view, "worst", worst_text(verdict));
+  set_text(view, "worst", verdict.worst ? worst_pixel_text(*verdict.worst) : "");
   return view;
 }
 

@@ -15,6 +15,9 @@ enum class Status { kPassed, kFailed, kInvalid, kSkipped, kMachine };
 /// "passed", "failed", "invalid", "skipped", "machine failed".
 [[nodiscard]] std::string status_text(Status status);
 
+/// "(12, 30): b_shadow is 1, expected 0".
+[[nodiscard]] std::string worst_pixel_text(const judge::WorstPixel& worst);
+
 /// The outcome of one test, complete enough to be printed, written to a page, or sent through a pipe.
 struct TestResult {
   std::string id;

@@ -23,11 +23,7 @@ std::string indented(const std::string& text, std::size_t columns) {
 std::string verdict_text(const judge::Verdict& verdict) {
   std::string text =
       fmt::format("  {}: {}, limit: {}\n", verdict.expectation, verdict.measured, verdict.limit);
-  if (verdict.worst) {
-    const judge::WorstPixel& worst = *verdict.worst;
-    text += fmt::format("    worst pixel ({}, {}): {} is {}, expected {}\n", worst.x, worst.y, worst.channel,
-                        judge::number_text(worst.actual), judge::number_text(worst.expected));
-  }
+  if (verdict.worst) text += fmt::format("    worst pixel {}\n", worst_pixel_text(*verdict.worst));
   return text;
 }
 
@@ -47,6 +43,11 @@ std::string status_text(Status status) {
       return "machine failed";
   }
   return "unknown";
+}
+
+std::string worst_pixel_text(const judge::WorstPixel& worst) {
+  return fmt::format("({}, {}): {} is {}, expected {}", worst.x, worst.y, worst.channel,
+                     judge::number_text(worst.actual), judge::number_text(worst.expected));
 }
 
 std::string failure_text(const TestResult& result) {

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "technique/program_cache.h"
 
-#include <xxhash.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <utility>
 
+#include "technique/hash.h"
+
 namespace gnomon::technique {
-namespace {
-
-std::string hash_text(const std::string& text) {
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(XXH3_64bits(text.data(), text.size())));
-  return digits;
-}
-
-}  // namespace
-
 Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
   const auto path = [&](const std::string& name) {
     return (std::filesystem::path(options_.library_directory) / name).lexically_normal().string();
@@ -28,7 +17,8 @@ Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
   if (!pixel) return pixel.diagnostics();
   Result<gl::Program> program = gl::Program::link(fragment, vertex->text, pixel->text);
   if (!program) return program.diagnostics();
-  return CachedProgram{std::move(program).value(), hash_text(pixel->text)};
+  return CachedProgram{std::move(program).value(), hash_text(pixel->text),
+                       hash_text(vertex->text + pixel->text)};
 }
 
 Result<const CachedProgram*> ProgramCache::get(const std::string& fragment) {

@@ -15,7 +15,9 @@ namespace gnomon::technique {
 
 struct CachedProgram {
   gl::Program program;
-  std::string source_hash;  ///< of the assembled text, 16 hexadecimal digits: a golden's provenance
+  std::string
+      shader_hash;  ///< of the assembled fragment shader, 16 hexadecimal digits: a golden's provenance
+  std::string program_hash;  ///< of all assembled stages together
 };
 
 /// Needs a current GL context for as long as it lives.
@@ -23,8 +25,8 @@ class ProgramCache {
  public:
   explicit ProgramCache(compiler::Options options) : options_(std::move(options)) {}
 
-  /// `fragment` is a path below the shader library, "programs/multilevel.frag", or an absolute one. Fails with what is
-  /// wrong in the shader, at its own file and line.
+  /// `fragment` is a path below the shader library, "programs/multilevel.frag", or an absolute one. Fails
+  /// with what is wrong in the shader, at its own file and line.
   [[nodiscard]] Result<const CachedProgram*> get(const std::string& fragment);
 
  private:

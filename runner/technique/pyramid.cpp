@@ -10,11 +10,13 @@
 namespace gnomon::technique {
 namespace {
 
-/// Levels above this one hold blocks of more than 128 patches, which a ray that climbs one level at a time hardly ever
-/// reaches; stopping here keeps the padding below 128 patches a side.
+/// Levels above this one hold blocks of more than 128 patches, which a ray that climbs one level at a time
+/// hardly ever reaches; stopping here keeps the padding below 128 patches a side.
 constexpr int kTopLevel = 7;
 
-int ceil_div(int a, int b) { return (a + b - 1) / b; }
+int ceil_div(int a, int b) {
+  return (a + b - 1) / b;
+}
 
 /// Mip sizes are halved rounding down: sides that are multiples of 2^(levels - 1) lose no block.
 gl::Size extrema_size(glm::ivec2 patches, int levels) {
@@ -54,13 +56,14 @@ Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture&
   if (!extrema) return extrema;
   for (int level = 1; level <= levels; ++level) {
     // Only the levels below are visible to the shader: reading the one that is drawn would be undefined.
-    const Result<Done> drawn = gl::draw(
-        {.program = &program,
-         .uniforms = {{"u_level", level}},
-         .samplers = {{.name = "gnomon_heights", .texture = &heights},
-                      {.name = "gnomon_extrema", .texture = &extrema.value(), .last_level = std::max(level - 2, 0)}},
-         .target = &extrema.value(),
-         .target_level = level - 1});
+    const Result<Done> drawn = gl::draw({.program = &program,
+                                         .uniforms = {{"u_level", level}},
+                                         .samplers = {{.name = "gnomon_heights", .texture = &heights},
+                                                      {.name = "gnomon_extrema",
+                                                       .texture = &extrema.value(),
+                                                       .last_level = std::max(level - 2, 0)}},
+                                         .target = &extrema.value(),
+                                         .target_level = level - 1});
     if (!drawn) return drawn.diagnostics();
   }
   return extrema;

@@ -17,10 +17,10 @@ struct Pyramid {
   gl::Texture heights;  ///< R32F, H_q
   gl::Texture extrema;  ///< R32F, mip level k: maxima over blocks of 2^(k + 1) x 2^(k + 1) patches
   int q = 0;
-  glm::ivec2 size{};     ///< samples of H_q
-  glm::vec2 domain{};    ///< texels of H_q
-  glm::vec2 spacing{};   ///< metres a texel of H_q
-  float highest = 0;     ///< metres
+  glm::ivec2 size{};    ///< samples of H_q
+  glm::vec2 domain{};   ///< texels of H_q
+  glm::vec2 spacing{};  ///< metres a texel of H_q
+  float highest = 0;    ///< metres
 
   [[nodiscard]] int top_level() const { return extrema.levels(); }
 };

@@ -26,7 +26,8 @@ std::vector<oracle::Receiver> receivers_of(const MapView& view, int level, doubl
   receivers.reserve(static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y));
   for (int y = 0; y < view.size.y; ++y) {
     for (int x = 0; x < view.size.x; ++x) {
-      receivers.push_back({std::ldexp(double{view.column(x)}, -level), std::ldexp(double{view.row(y)}, -level), height});
+      receivers.push_back(
+          {std::ldexp(double{view.column(x)}, -level), std::ldexp(double{view.row(y)}, -level), height});
     }
   }
   return receivers;
@@ -51,7 +52,8 @@ image::Image reference_image(const scene::Scene& scene, const terrain::HeightMap
   const auto k_shadow = static_cast<float>(k_in_shadow(scene.shadow, to_sun(scene.sun).z));
 
   image::Image image{.width = view.size.x, .height = view.size.y, .channels = {}, .attributes = {}};
-  for (const char* name : {"b_shadow", "k_shadow", "horizon", "band"}) image.channels[name].reserve(horizon.size());
+  for (const char* name : {"b_shadow", "k_shadow", "horizon", "band"})
+    image.channels[name].reserve(horizon.size());
   for (const double angle : horizon) {
     const bool shadow = oracle::in_shadow(angle, scene.sun.elevation);
     image.channels["b_shadow"].push_back(shadow ? 1.0F : 0.0F);

@@ -12,8 +12,8 @@
 namespace gnomon::technique {
 namespace {
 
-/// Pixels a side that one draw covers: a hardware driver resets a context whose draw takes seconds, and a target for a
-/// whole 16384 x 16384 view would not fit in software GL.
+/// Pixels a side that one draw covers: a hardware driver resets a context whose draw takes seconds, and a
+/// target for a whole 16384 x 16384 view would not fit in software GL.
 constexpr int kTile = 1024;
 
 constexpr float kUndecided = 0.0F;  // GNOMON_CAUSE_UNDECIDED
@@ -24,7 +24,9 @@ struct Tile {
 
 using Uniforms = std::vector<std::pair<std::string, gl::Uniform>>;
 
-int step_limit(const Pyramid& pyramid) { return 8 * (pyramid.size.x + pyramid.size.y); }
+int step_limit(const Pyramid& pyramid) {
+  return 8 * (pyramid.size.x + pyramid.size.y);
+}
 
 Uniforms uniforms_of(const Pyramid& pyramid, const scene::Scene& scene, const MapView& view) {
   const auto level_scale = static_cast<float>(std::ldexp(1.0, -pyramid.q));
@@ -51,23 +53,26 @@ image::Image empty_image(const MapView& view, int q) {
 
 Diagnostic step_bound_reached(const scene::Scene& scene, int limit, int x, int y) {
   return {.file = scene.file,
-          .message = "the ray of pixel (" + std::to_string(x) + ", " + std::to_string(y) + ") reached the bound of " +
-                     std::to_string(limit) + " steps undecided; this is a fault of the method '" +
-                     scene.shadow.method + "', please report it with this scene",
+          .message = "the ray of pixel (" + std::to_string(x) + ", " + std::to_string(y) +
+                     ") reached the bound of " + std::to_string(limit) +
+                     " steps undecided; this is a fault of the method '" + scene.shadow.method +
+                     "', please report it with this scene",
           .failure = Failure::kFailed};
 }
 
 /// Copies a tile's texels (b_shadow, k_shadow, steps, cause) into the image's channels.
-Result<Done> store(const std::vector<float>& texels, int stride, const Tile& tile, const scene::Scene& scene, int limit,
-                   image::Image& image) {
+Result<Done> store(const std::vector<float>& texels, int stride, const Tile& tile, const scene::Scene& scene,
+                   int limit, image::Image& image) {
   std::vector<float>& b_shadow = image.channels["b_shadow"];
   std::vector<float>& k_shadow = image.channels["k_shadow"];
   std::vector<float>& steps = image.channels["steps"];
   for (int y = 0; y < tile.height; ++y) {
     for (int x = 0; x < tile.width; ++x) {
-      const float* texel = &texels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) + static_cast<std::size_t>(x))];
+      const float* texel = &texels[4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(stride) +
+                                        static_cast<std::size_t>(x))];
       if (texel[3] == kUndecided) return step_bound_reached(scene, limit, tile.x + x, tile.y + y);
-      const std::size_t pixel = static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(tile.x + x);
+      const std::size_t pixel = static_cast<std::size_t>(tile.y + y) * static_cast<std::size_t>(image.width) +
+                                static_cast<std::size_t>(tile.x + x);
       b_shadow[pixel] = texel[0];
       k_shadow[pixel] = texel[1];
       steps[pixel] = texel[2];
@@ -98,7 +103,8 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramid& pyrami
   if (!target) return target.diagnostics();
 
   image::Image image = empty_image(view, pyramid.q);
-  image.attributes["gnomon:shader_hash"] = (*program)->source_hash;
+  image.attributes["gnomon:shader_hash"] = (*program)->shader_hash;
+  image.attributes["gnomon:program_hash"] = (*program)->program_hash;
   double seconds = 0;
   for (const Tile& tile : tiles_of(view.size, kTile)) {
     Uniforms uniforms = uniforms_of(pyramid, scene, view);

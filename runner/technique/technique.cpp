@@ -16,7 +16,8 @@ const std::vector<Technique>& techniques() {
 
 const Technique* find_technique(const std::string& name) {
   const auto& table = techniques();
-  const auto it = std::find_if(table.begin(), table.end(), [&](const Technique& t) { return t.name == name; });
+  const auto it =
+      std::find_if(table.begin(), table.end(), [&](const Technique& t) { return t.name == name; });
   return it == table.end() ? nullptr : &*it;
 }
 

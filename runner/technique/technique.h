@@ -8,8 +8,9 @@
 namespace gnomon::technique {
 
 struct Technique {
-  std::string name;         ///< what scenes and --method call it
-  std::string program;      ///< fragment program below the shader library; empty: computed on the CPU by the oracle
+  std::string name;  ///< what scenes and --method call it
+  std::string
+      program;  ///< fragment program below the shader library; empty: computed on the CPU by the oracle
   std::string description;  ///< one sentence
   bool uses_extrema;        ///< whether the block maxima have to be built first
 };

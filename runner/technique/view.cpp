@@ -16,7 +16,8 @@ glm::dvec3 to_sun(const scene::Sun& sun) {
 }
 
 MapView map_view(const scene::MapCamera& camera, const terrain::HeightMap& map) {
-  const glm::ivec2 size = camera.size ? glm::ivec2((*camera.size)[0], (*camera.size)[1]) : glm::ivec2(map.width, map.height);
+  const glm::ivec2 size =
+      camera.size ? glm::ivec2((*camera.size)[0], (*camera.size)[1]) : glm::ivec2(map.width, map.height);
   const glm::dvec2 ratio = glm::dvec2(map.width, map.height) / glm::dvec2(size);
   return {size, glm::vec2(ratio)};
 }

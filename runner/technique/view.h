@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How scene terms become numbers for a method: sun and camera. The one place where both methods and oracle take them.
+// How scene terms become numbers for a method: sun and camera. The one place where both methods and oracle
+// take them.
 #pragma once
 
 #include <glm/glm.hpp>

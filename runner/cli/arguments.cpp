@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+#include "cli/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "gnomon/compiler/compiler.h"
+#include "technique/technique.h"
+
+namespace gnomon::cli {
+namespace {
+
+const std::map<std::string, Backend> kBackends{
+    {"auto", Backend::kAuto}, {"egl", Backend::kEgl}, {"cpu", Backend::kCpu}};
+const std::map<std::string, UpdateGoldens> kUpdates{{"none", UpdateGoldens::kNone},
+                                                    {"missing", UpdateGoldens::kMissing},
+                                                    {"changed", UpdateGoldens::kChanged},
+                                                    {"all", UpdateGoldens::kAll}};
+
+template <class Value>
+std::string keys_of(const std::map<std::string, Value>& table) {
+  std::string keys;
+  for (const auto& [key, value] : table) keys += (keys.empty() ? "" : ", ") + key;
+  return keys;
+}
+
+/// An option whose text is one of the keys of `table`.
+template <class Value>
+void add_choice(CLI::App* app, const std::string& name, Value& value,
+                const std::map<std::string, Value>& table, const std::string& description) {
+  app->add_option_function<std::string>(
+         name,
+         [&value, &table, name](const std::string& text) {
+           const auto it = table.find(text);
+           if (it == table.end())
+             throw CLI::ValidationError(name, "'" + text + "' is not one of " + keys_of(table));
+           value = it->second;
+         },
+         description)
+      ->type_name("NAME");
+}
+
+template <class Number>
+Number number_of(const std::string& text, const std::string& name, const std::string& shape) {
+  Number number{};
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  if (!(stream >> number) || !stream.eof() || !std::isfinite(static_cast<double>(number))) {
+    throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
+  }
+  return number;
+}
+
+/// Two numbers with `separator` between them; where `one_is_both`, one number stands for both.
+template <class Number>
+void add_pair(CLI::App* app, const std::string& name, std::optional<std::array<Number, 2>>& pair,
+              char separator, bool one_is_both, const std::string& shape, const std::string& description) {
+  app->add_option_function<std::string>(
+         name,
+         [&pair, name, shape, separator, one_is_both](const std::string& text) {
+           const std::size_t at = text.find(separator);
+           if (at == std::string::npos && !one_is_both)
+             throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
+           const std::string second = at == std::string::npos ? text : text.substr(at + 1);
+           pair = {number_of<Number>(text.substr(0, at), name, shape),
+                   number_of<Number>(second, name, shape)};
+         },
+         description)
+      ->type_name(shape);
+}
+
+void add_overrides(CLI::App* app, std::vector<std::string>& overrides) {
+  app->add_option("--set", overrides,
+                  "override a scene key by its dotted path, such as sun.elevation=5 (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_backend(CLI::App* app, Backend& backend, std::string& target) {
+  add_choice(app, "--backend", backend, kBackends,
+             "auto: EGL; egl: surfaceless EGL; cpu: the oracle, no GL. Default auto");
+  std::vector<std::string> names;
+  for (const compiler::Target& t : compiler::targets()) names.push_back(t.name);
+  app->add_option("--target", target, "dialect that the modules are assembled in. Default glsl450")
+      ->type_name("DIALECT")
+      ->check(CLI::IsMember(names));
+}
+
+std::string method_names() {
+  std::string names;
+  for (const technique::Technique& t : technique::techniques()) names += (names.empty() ? "" : ", ") + t.name;
+  return names;
+}
+
+void check_method(const std::string& name) {
+  if (!technique::find_technique(name)) {
+    throw CLI::ValidationError("--method", "'" + name + "' is not one of " + method_names());
+  }
+}
+
+void add_map_options(CLI::App* app, RenderArguments& a) {
+  add_pair<double>(app, "--sun", a.sun, ',', false, "AZIMUTH,ELEVATION",
+                   "degrees clockwise from grid north, degrees above the horizon. Default 315,45");
+  app->add_option_function<std::string>(
+         "--method",
+         [&a](const std::string& name) {
+           check_method(name);
+           a.method = name;
+         },
+         "shadow method: " + method_names() + ". Default multilevel")
+      ->type_name("NAME");
+  app->add_option("--q", a.q, "level of detail, 0 is the map itself. Default 0")
+      ->type_name("N")
+      ->check(CLI::Range(0, 30));
+  app->add_option("--receiver-height", a.receiver_height, "metres above the surface of the level. Default 0")
+      ->type_name("METRES")
+      ->check(CLI::Range(0.0, 1e9));
+  add_pair<int>(app, "--size", a.size, 'x', false, "WxH", "pixels. Default: one a height sample");
+  add_pair<double>(app, "--spacing", a.spacing, ',', true, "X[,Y]",
+                   "metres between height samples. Default 1");
+  app->add_option("--vertical-scale", a.vertical_scale, "metres per stored unit. Default 1")->type_name("S");
+  app->add_option("--channel", a.channel, "channel of an image that has several")->type_name("NAME");
+}
+
+void add_render(CLI::App& root, RenderArguments& a) {
+  CLI::App* app = root.add_subcommand("render", "Render the shadow of a scene or of a height map");
+  auto* scene = app->add_option("SCENE", a.scene, "scene file (JSON)");
+  auto* heightmap =
+      app->add_option("--heightmap", a.heightmap, "image of heights: PNG, EXR or TIFF")->type_name("FILE");
+  scene->excludes(heightmap);
+  add_map_options(app, a);
+  add_overrides(app, a.overrides);
+  add_backend(app, a.backend, a.target);
+  app->add_option("-o", a.output, "what to write: .exr all channels, .png a picture, .tif b_shadow")
+      ->type_name("OUT")
+      ->required();
+}
+
+void add_test_options(CLI::App* app, TestArguments& a) {
+  app->add_option("PATH", a.paths, "scene files or folders. Default: the project's scenes");
+  app->add_option("--filter", a.filters,
+                  "only tests whose id matches; * crosses /, a leading ! excludes (repeatable)")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+  app->add_option("--jobs", a.jobs, "worker processes. Default: one a core")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  app->add_option("--shard", a.shard, "run every N-th test, beginning with the I-th (from 1)")
+      ->type_name("I/N");
+  add_backend(app, a.backend, a.target);
+  app->add_option("--report", a.report, "write a page (DIR/index.html) with every test's pictures")
+      ->type_name("DIR");
+  add_choice(app, "--update-goldens", a.update, kUpdates,
+             "none: a missing golden fails; missing: absent ones are written; changed: differing ones too; "
+             "all: every "
+             "one. Default none");
+  app->add_flag("--list", a.list, "print the ids and run nothing");
+  app->add_option("--timeout", a.timeout, "a test without an answer for so long fails. Default 120")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.1, 86400.0));
+  add_overrides(app, a.overrides);
+}
+
+void add_diff(CLI::App& root, DiffArguments& a) {
+  CLI::App* app = root.add_subcommand("diff", "Compare two images channel by channel");
+  app->add_option("ACTUAL", a.actual, "image to judge")->required();
+  app->add_option("EXPECTED", a.expected, "image to hold it against; its channel 'band' masks pixels")
+      ->required();
+  app->add_option("-o", a.output, "picture of the difference")->type_name("DIFF.png");
+  app->add_option("--tolerance", a.tolerances,
+                  "absolute difference that passes, for one channel or for all (repeatable)")
+      ->type_name("[CHANNEL=]ABS")
+      ->allow_extra_args(false);
+  app->add_option("--max-mismatch", a.max_mismatch, "share of pixels that may differ. Default 0")
+      ->type_name("FRACTION")
+      ->check(CLI::Range(0.0, 1.0));
+}
+
+void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArguments& made,
+                        BenchArguments& bench) {
+  CLI::App* app = root.add_subcommand("validate", "Check scene files: every error at once, FILE:LINE:COLUMN");
+  app->add_option("SCENE", validate.scenes, "scene files or folders")->required();
+  add_overrides(app, validate.overrides);
+
+  app = root.add_subcommand("new", "Write a described scene that passes, ready to edit");
+  app->add_option("NAME", made.name, "where below the project's scenes, such as ridges/morning")->required();
+
+  app = root.add_subcommand("bench", "Time the methods side by side on the same work, in one run");
+  app->add_option("--size", bench.sizes, "samples a side of the fractal map (repeatable). Default 1024 2048")
+      ->type_name("N")
+      ->check(CLI::Range(16, 16384));
+  app->add_option("--elevation", bench.elevation, "of the sun, degrees. Default 10")
+      ->type_name("DEGREES")
+      ->check(CLI::Range(0.1, 89.9));
+  app->add_option("--rounds", bench.rounds, "how often each method runs. Default 5")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  app->add_option("--json", bench.json, "also write the figures as JSON")->type_name("FILE");
+
+  root.add_subcommand("info",
+                      "Print back ends, devices, renderer, GL version, limits, versions of everything");
+}
+
+/// Scene keys that the options of a height map would contradict.
+void check_render(const RenderArguments& a) {
+  if (a.scene.empty() == a.heightmap.empty())
+    throw CLI::ValidationError("render", "needs a SCENE.json or --heightmap FILE");
+  const bool map_option =
+      a.sun || a.method || a.q || a.receiver_height || a.size || a.spacing || a.vertical_scale || a.channel;
+  if (!a.scene.empty() && map_option) {
+    throw CLI::ValidationError("render",
+                               "--sun, --method, --q and the like go with --heightmap; a scene takes --set, "
+                               "such as --set sun.elevation=10");
+  }
+  if (!a.heightmap.empty() && !a.overrides.empty()) {
+    throw CLI::ValidationError(
+        "render", "--set goes with a scene; a height map takes --sun, --method, --q and the like");
+  }
+}
+
+}  // namespace
+
+CommandLine parse_arguments(int argc, const char* const* argv) {
+  CLI::App root("gnomon - renders terrain shadows from scene files and holds them against golden images",
+                "gnomon");
+  root.set_version_flag("--version", "gnomon " GNOMON_VERSION);
+  root.require_subcommand(1);
+  RenderArguments render;
+  TestArguments test;
+  DiffArguments diff;
+  ValidateArguments validate;
+  NewArguments made;
+  BenchArguments bench;
+  add_render(root, render);
+  add_test_options(root.add_subcommand("test", "Run scenes as tests"), test);
+  add_test_options(root.add_subcommand("worker", "")->group(""), test);
+  add_diff(root, diff);
+  add_small_commands(root, validate, made, bench);
+  try {
+    root.parse(argc, argv);
+    if (root.got_subcommand("render")) check_render(render);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const bool asked = root.exit(error, out, err) == 0;
+    return {std::nullopt, asked ? out.str() : err.str(), asked ? 0 : 2};
+  }
+  test.worker = root.got_subcommand("worker");
+  const std::string name = root.get_subcommands().front()->get_name();
+  if (name == "render") return {render, {}, 0};
+  if (name == "diff") return {diff, {}, 0};
+  if (name == "validate") return {validate, {}, 0};
+  if (name == "new") return {made, {}, 0};
+  if (name == "bench") return {bench, {}, 0};
+  if (name == "info") return {InfoArguments{}, {}, 0};
+  return {test, {}, 0};
+}
+
+std::vector<std::string> worker_arguments(const TestArguments& a) {
+  const auto key_of = [](const auto& table, auto value) {
+    return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.second == value; })
+        ->first;
+  };
+  std::vector<std::string> words{"worker", "--backend",        key_of(kBackends, a.backend), "--target",
+                                 a.target, "--update-goldens", key_of(kUpdates, a.update)};
+  if (!a.report.empty()) words.insert(words.end(), {"--report", a.report});
+  for (const std::string& override_text : a.overrides) words.insert(words.end(), {"--set", override_text});
+  return words;
+}
+
+}  // namespace gnomon::cli

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <filesystem>
+
+#include "cli/commands.h"
+#include "engine.h"
+#include "image/image.h"
+#include "scene/project.h"
+
+namespace gnomon::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A scene around an image of heights, with what the options say and defaults for the rest.
+Result<scene::Scene> scene_of_height_map(const RenderArguments& a) {
+  scene::Scene scene;
+  scene.id = fs::path(a.heightmap).stem().string();
+  scene.file = a.heightmap;
+  scene.terrain.source = scene::FileTerrain{.path = a.heightmap, .channel = a.channel};
+  scene.terrain.spacing = a.spacing;
+  scene.terrain.vertical_scale = a.vertical_scale.value_or(1.0);
+  if (a.spacing && std::min((*a.spacing)[0], (*a.spacing)[1]) <= 0) {
+    return Diagnostic{.file = "--spacing", .message = "has to be above 0 metres"};
+  }
+  if (a.sun) {
+    const auto [azimuth, elevation] = *a.sun;
+    if (elevation < -90 || elevation > 90) {
+      return Diagnostic{.file = "--sun", .message = "an elevation lies between -90 and 90 degrees"};
+    }
+    scene.sun = {.azimuth = azimuth - 360.0 * std::floor(azimuth / 360.0), .elevation = elevation};
+  }
+  if (a.size && (std::min((*a.size)[0], (*a.size)[1]) < 1 || std::max((*a.size)[0], (*a.size)[1]) > 16384)) {
+    return Diagnostic{.file = "--size", .message = "each side has to be 1 to 16384 pixels"};
+  }
+  scene.camera.size = a.size;
+  scene.shadow.method = a.method.value_or(scene.shadow.method);
+  scene.shadow.q = a.q.value_or(0);
+  scene.shadow.receiver_height = a.receiver_height.value_or(0.0);
+  return scene;
+}
+
+struct Loaded {
+  std::vector<scene::Scene> scenes;
+  Diagnostics diagnostics;
+};
+
+Loaded load(const RenderArguments& a) {
+  if (!a.heightmap.empty()) {
+    Result<scene::Scene> scene = scene_of_height_map(a);
+    if (!scene) return {{}, scene.diagnostics()};
+    return {{std::move(scene).value()}, {}};
+  }
+  scene::LoadResult loaded = scene::load_scene(a.scene, a.overrides, vocabulary());
+  return {std::move(loaded.tests), std::move(loaded.diagnostics)};
+}
+
+/// "o.exr", or "o@elevation=10.exr" where a matrix makes several images of one scene.
+std::string output_of(const RenderArguments& a, const scene::Scene& scene, bool several) {
+  const std::size_t at = scene.id.find('@');
+  if (!several || at == std::string::npos) return a.output;
+  const fs::path path(a.output);
+  return (path.parent_path() / (path.stem().string() + scene.id.substr(at) + path.extension().string()))
+      .string();
+}
+
+std::string extension_of(const std::string& path) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension;
+}
+
+Result<Done> write(const std::string& path, const Rendered& rendered, const scene::Scene& scene) {
+  const std::string extension = extension_of(path);
+  if (extension == ".exr") return image::write_exr(path, rendered.image);
+  if (extension == ".png") {
+    return image::write_png(path,
+                            Engine::picture(*rendered.map, scene, rendered.image.channels.at("k_shadow")));
+  }
+  return image::write_tiff(path, rendered.image, "b_shadow");
+}
+
+bool known_output(const std::string& path) {
+  const std::string extension = extension_of(path);
+  return extension == ".exr" || extension == ".png" || extension == ".tif" || extension == ".tiff";
+}
+
+}  // namespace
+
+int run_command(const RenderArguments& arguments, Console& console) {
+  if (!known_output(arguments.output)) {
+    return report(console, {{.file = arguments.output,
+                             .message = "what to write follows from the ending: .exr, .png or .tif"}});
+  }
+  const Loaded loaded = load(arguments);
+  if (const int code = report(console, loaded.diagnostics); code != 0) return code;
+  const Result<scene::Project> project = scene::find_project(arguments.scene.empty() ? "." : arguments.scene);
+  if (!project && !arguments.scene.empty()) return report(console, project.diagnostics());
+  Engine engine({.shader_library = console.shader_library,
+                 .includes = project ? project->includes : std::vector<std::string>{},
+                 .target = arguments.target,
+                 .backend = arguments.backend});
+  for (const scene::Scene& scene : loaded.scenes) {
+    if (console.interrupted) return static_cast<int>(Failure::kInterrupted);
+    const Result<Rendered> rendered = engine.render(scene);
+    if (!rendered) return report(console, rendered.diagnostics());
+    for (const std::string& note : rendered->notes) console.err << note << "\n";
+    const std::string path = output_of(arguments, scene, loaded.scenes.size() > 1);
+    if (const Result<Done> written = write(path, *rendered, scene); !written)
+      return report(console, written.diagnostics());
+    console.out << path << "\n";
+  }
+  return 0;
+}
+
+}  // namespace gnomon::cli

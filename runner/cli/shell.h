@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Texts that a person may paste into a shell.
+#pragma once
+
+#include <string>
+
+namespace gnomon::cli {
+
+/// `text` as one word of a POSIX shell: as it is where that is safe, else in single quotes.
+[[nodiscard]] std::string quote(const std::string& text);
+
+}  // namespace gnomon::cli

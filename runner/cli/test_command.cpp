@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <thread>
+
+#include "cli/commands.h"
+#include "cli/request.h"
+#include "report/progress.h"
+#include "report/report.h"
+#include "report/test_result_json.h"
+#include "scene/discover.h"
+#include "worker/pool.h"
+
+namespace gnomon::cli {
+namespace {
+
+using report::Status;
+using report::TestResult;
+
+struct Planned {
+  std::vector<Request> requests;    // the tests of this shard
+  std::vector<TestResult> invalid;  // scene files that make none
+  std::size_t chosen = 0;           // tests of all shards that the filters let through
+};
+
+TestResult invalid_scene(const std::string& file, const Diagnostics& diagnostics) {
+  TestResult result;
+  result.id = file;
+  result.scene_file = file;
+  result.status = Status::kInvalid;
+  for (const Diagnostic& diagnostic : diagnostics)
+    result.error += (result.error.empty() ? "" : "\n") + to_string(diagnostic);
+  return result;
+}
+
+Planned plan(const std::vector<std::string>& files, const TestArguments& arguments, const scene::Shard& shard,
+             const std::string& program) {
+  Planned planned;
+  const scene::Vocabulary words = vocabulary();
+  for (const std::string& file : files) {
+    const scene::LoadResult loaded = scene::load_scene(file, arguments.overrides, words);
+    if (!loaded.diagnostics.empty()) planned.invalid.push_back(invalid_scene(file, loaded.diagnostics));
+    for (const scene::Scene& test : loaded.tests) {
+      if (!scene::is_chosen(arguments.filters, test.id)) continue;
+      if (shard.contains(planned.chosen++)) planned.requests.push_back({file, test.id, program});
+    }
+  }
+  return planned;
+}
+
+int code_of(const TestResult& result) {
+  switch (result.status) {
+    case Status::kPassed:
+      return 0;
+    case Status::kFailed:
+      return 1;
+    case Status::kInvalid:
+      return 2;
+    case Status::kSkipped:
+      return 77;
+    case Status::kMachine:
+      return 99;
+  }
+  return 99;
+}
+
+/// 77 only where all that was asked for was skipped.
+int code_of(const std::vector<TestResult>& results) {
+  int code = results.empty() ? 0 : 77;
+  const bool all_skipped =
+      !results.empty() && std::all_of(results.begin(), results.end(),
+                                      [](const TestResult& r) { return r.status == Status::kSkipped; });
+  if (!all_skipped) code = 0;
+  for (const TestResult& result : results) {
+    if (result.status != Status::kSkipped) code = worse(code, code_of(result));
+  }
+  return code;
+}
+
+TestResult result_of(const Request& request, const worker::Outcome& outcome) {
+  if (outcome.failure.empty()) {
+    Result<TestResult> result = report::from_json(outcome.answer);
+    if (result) return std::move(result).value();
+  }
+  TestResult result;
+  result.id = request.id;
+  result.scene_file = request.scene_file;
+  result.status = Status::kFailed;
+  result.error = outcome.failure.empty() ? "its worker gave no valid answer" : outcome.failure;
+  return result;
+}
+
+/// Runs the tests in worker processes and returns their results in the order of the plan; those that an
+/// interrupt left out are absent.
+Result<std::vector<TestResult>> run_tests(const std::vector<Request>& requests,
+                                          const TestArguments& arguments, Console& console) {
+  std::vector<std::string> lines;
+  for (const Request& request : requests) lines.push_back(to_json(request));
+  std::vector<std::optional<TestResult>> results(requests.size());
+  report::Progress progress{
+      .finished = 0, .total = requests.size(), .terminal = console.terminal, .columns = console.columns};
+  const auto done = [&](std::size_t job, const worker::Outcome& outcome) {
+    results[job] = result_of(requests[job], outcome);
+    ++progress.finished;
+    console.err << report::test_finished(progress, *results[job]) << std::flush;
+  };
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const worker::PoolOptions options{
+      .executable = console.executable,
+      .arguments = worker_arguments(arguments),
+      .workers = arguments.jobs > 0 ? arguments.jobs : static_cast<int>(cores),
+      .timeout = std::chrono::milliseconds(static_cast<long>(arguments.timeout * 1000))};
+  const Result<Done> ran = worker::run_pool(lines, options, console.interrupted, done);
+  console.err << report::run_finished(progress) << std::flush;
+  if (!ran) return ran.diagnostics();
+  std::vector<TestResult> finished;
+  for (std::optional<TestResult>& result : results) {
+    if (result) finished.push_back(*std::move(result));
+  }
+  return finished;
+}
+
+void print(const std::vector<TestResult>& results, Console& console) {
+  for (const TestResult& result : results) {
+    if (!result.golden_note.empty())
+      console.out << "golden " << result.golden_note << ": " << result.id << "\n";
+    if (result.status != Status::kPassed) console.out << report::failure_text(result) << "\n";
+  }
+}
+
+int write_report(const std::vector<TestResult>& results, const TestArguments& arguments, Console& console) {
+  if (arguments.report.empty()) return 0;
+  Engine engine({.shader_library = console.shader_library, .backend = arguments.backend});
+  const Result<const gl::Info*> info = engine.gl_info();
+  const report::PageInfo page{
+      .title = "gnomon test",
+      .renderer = info ? (*info)->renderer + ", OpenGL " + (*info)->version : "no OpenGL",
+      .version = GNOMON_VERSION};
+  const Result<Done> written = report::write_page(arguments.report, results, page);
+  if (!written) return report(console, written.diagnostics());
+  console.out << "report: " << arguments.report << "/index.html\n";
+  return 0;
+}
+
+int list(const Planned& planned, Console& console) {
+  for (const Request& request : planned.requests) console.out << request.id << "\n";
+  for (const TestResult& invalid : planned.invalid) console.err << invalid.error << "\n";
+  return planned.invalid.empty() ? 0 : 2;
+}
+
+}  // namespace
+
+int run_command(const TestArguments& arguments, Console& console) {
+  if (arguments.worker) return serve(arguments, console);
+  const Result<scene::Shard> shard = scene::parse_shard(arguments.shard);
+  if (!shard) return report(console, shard.diagnostics());
+  const Result<std::vector<std::string>> files = scene::find_scenes(arguments.paths);
+  if (!files) return report(console, files.diagnostics());
+  const Planned planned = plan(*files, arguments, *shard, console.program);
+  if (planned.chosen == 0 && planned.invalid.empty()) {
+    return report(console, {{.file = "--filter", .message = "matches no test; --list prints the ids"}});
+  }
+  if (arguments.list) return list(planned, console);
+
+  Result<std::vector<TestResult>> ran = run_tests(planned.requests, arguments, console);
+  if (!ran) return report(console, ran.diagnostics());
+  std::vector<TestResult> results = planned.invalid;
+  results.insert(results.end(), ran->begin(), ran->end());
+  print(results, console);
+  int code = worse(code_of(results), write_report(results, arguments, console));
+  if (console.interrupted) {
+    console.out << "interrupted: " << ran->size() << " of " << planned.requests.size()
+                << " tests had finished\n";
+    code = worse(code, static_cast<int>(Failure::kInterrupted));
+  }
+  console.out << report::summary_line(results) << "\n";
+  return code;
+}
+
+}  // namespace gnomon::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "cli/commands.h"
+#include "technique/technique.h"
+#include "terrain/procedural.h"
+
+namespace gnomon::cli {
+
+scene::Vocabulary vocabulary() {
+  scene::Vocabulary words;
+  for (const technique::Technique& technique : technique::techniques())
+    words.methods.push_back(technique.name);
+  for (const terrain::ProceduralKind& kind : terrain::procedural_kinds()) {
+    std::vector<std::string>& names = words.kinds[kind.name];
+    for (const terrain::ProceduralParameter& parameter : kind.parameters) names.push_back(parameter.name);
+  }
+  words.channels = {"b_shadow", "k_shadow", "q", "steps", "valid", "horizon"};
+  return words;
+}
+
+}  // namespace gnomon::cli

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Turns scenes into images: terrain, context, programs and pyramid, each made once and kept for the next
+// scene.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/context.h"
+#include "gnomon/diagnostic.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "technique/program_cache.h"
+#include "technique/pyramid.h"
+#include "terrain/height_map.h"
+
+namespace gnomon {
+
+enum class Backend {
+  kAuto,  ///< EGL
+  kEgl,   ///< surfaceless EGL
+  kCpu    ///< no GL: every scene is answered by the oracle
+};
+
+struct EngineOptions {
+  std::string shader_library;         ///< folder of the modules
+  std::vector<std::string> includes;  ///< further folders, before the library
+  std::string target = "glsl450";     ///< dialect that the modules are assembled in
+  Backend backend = Backend::kAuto;
+};
+
+/// What a render shows and what it was made from.
+struct Rendered {
+  image::Image image;
+  std::shared_ptr<const terrain::HeightMap> map;
+  std::vector<std::string> notes;  ///< what a user should know, such as an assumed spacing
+};
+
+class Engine {
+ public:
+  explicit Engine(EngineOptions options) : options_(std::move(options)) {}
+
+  /// The scene's image by its own method; attributes tell what made it (scene, shader and program hash,
+  /// renderer).
+  [[nodiscard]] Result<Rendered> render(const scene::Scene& scene);
+
+  /// What the oracle answers for the scene from level `level`.
+  [[nodiscard]] Result<image::Image> reference(const scene::Scene& scene, int level);
+
+  /// The relief under the scene's camera as a person would look at it, with the shadows `k_shadow` (a value a
+  /// pixel).
+  [[nodiscard]] static image::Picture picture(const terrain::HeightMap& map, const scene::Scene& scene,
+                                              const std::vector<float>& k_shadow);
+
+  /// The context, made at its first use. Fails with kMachine where there is no GL, or where `backend` forbids
+  /// it.
+  [[nodiscard]] Result<const gl::Info*> gl_info();
+
+  /// For bench: the map of a scene, the programs, the pyramid.
+  [[nodiscard]] Result<std::shared_ptr<const terrain::HeightMap>> terrain(const scene::Scene& scene);
+  [[nodiscard]] Result<const technique::Pyramid*> pyramid(
+      const std::shared_ptr<const terrain::HeightMap>& map, int q);
+  [[nodiscard]] technique::ProgramCache& programs() { return *programs_; }
+
+ private:
+  struct LoadedTerrain {
+    scene::Terrain source;
+    std::shared_ptr<const terrain::HeightMap> map;
+    std::vector<std::string> notes;
+  };
+  struct BuiltPyramid {
+    std::shared_ptr<const terrain::HeightMap> map;
+    technique::Pyramid pyramid;
+  };
+
+  [[nodiscard]] Result<image::Image> render_with_gl(const scene::Scene& scene,
+                                                    const std::shared_ptr<const terrain::HeightMap>& map);
+
+  EngineOptions options_;
+  std::optional<gl::Context> context_;  // outlives everything below
+  std::optional<technique::ProgramCache> programs_;
+  std::optional<LoadedTerrain> terrain_;
+  std::optional<BuiltPyramid> pyramid_;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "golden.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "judge/judge.h"
+#include "technique/hash.h"
+
+namespace gnomon {
+
+image::Image make_golden(const image::Image& actual, const image::Image& reference,
+                         const scene::Scene& scene) {
+  image::Image golden{
+      .width = actual.width, .height = actual.height, .channels = {}, .attributes = actual.attributes};
+  for (const char* name : {"b_shadow", "k_shadow", "valid", "q"})
+    golden.channels[name] = actual.channels.at(name);
+  golden.channels["band"] = reference.channels.at("band");
+  golden.attributes["gnomon:scene"] = scene.id;
+  golden.attributes["gnomon:scene_hash"] = technique::hash_text(scene.canonical_json);
+  golden.attributes["gnomon:version"] = GNOMON_VERSION;
+  return golden;
+}
+
+Result<Done> write_golden(const image::Image& actual, const image::Image& reference,
+                          const scene::Scene& scene, const scene::GoldenExpectation& expectation) {
+  const judge::Verdict proof = judge::compare(actual, reference, {.channels = {"b_shadow"}});
+  if (!proof.passed && !expectation.unproven) {
+    return Diagnostic{
+        .file = scene.golden_file,
+        .message = "not written, because the oracle disagrees with the image: " + proof.measured +
+                   ". A golden that cannot be proven needs \"unproven\": \"reason\" in the scene",
+        .failure = Failure::kFailed};
+  }
+  std::error_code error;
+  std::filesystem::create_directories(std::filesystem::path(scene.golden_file).parent_path(), error);
+  image::Image golden = make_golden(actual, reference, scene);
+  if (expectation.unproven) golden.attributes["gnomon:unproven"] = *expectation.unproven;
+  return image::write_exr(scene.golden_file, golden);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "cli/shell.h"
+#include "golden.h"
+#include "judge/judge.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+using report::Status;
+using report::TestResult;
+using scene::Scene;
+
+Status status_of(Failure failure) {
+  if (failure == Failure::kFailed) return Status::kFailed;
+  if (failure == Failure::kMachine) return Status::kMachine;
+  if (failure == Failure::kSkipped) return Status::kSkipped;
+  return Status::kInvalid;
+}
+
+void fail(TestResult& result, const Diagnostics& diagnostics) {
+  result.status = status_of(diagnostics.front().failure);
+  for (const Diagnostic& diagnostic : diagnostics) {
+    if (!result.error.empty()) result.error += "\n";
+    result.error += to_string(diagnostic);
+  }
+}
+
+const scene::GoldenExpectation* golden_expectation(const Scene& scene) {
+  for (const scene::Expectation& expectation : scene.expect) {
+    if (const auto* golden = std::get_if<scene::GoldenExpectation>(&expectation)) return golden;
+  }
+  return nullptr;
+}
+
+/// Everything a test is judged by. The oracle is asked only where an expectation or a golden to be written
+/// needs it.
+struct Gathered {
+  Rendered rendered;
+  std::optional<image::Image> golden;
+  std::optional<image::Image> reference;
+  std::map<int, image::Image> reference_at_level;
+
+  [[nodiscard]] judge::Evidence evidence() const {
+    judge::Evidence evidence{.actual = rendered.image,
+                             .golden = golden ? &*golden : nullptr,
+                             .reference = reference ? &*reference : nullptr};
+    for (const auto& [level, image] : reference_at_level) evidence.reference_at_level[level] = &image;
+    return evidence;
+  }
+};
+
+Result<Done> ask_oracle(Engine& engine, const Scene& scene, Gathered& gathered) {
+  if (gathered.reference) return Done{};
+  Result<image::Image> reference = engine.reference(scene, scene.shadow.q);
+  if (!reference) return reference.diagnostics();
+  gathered.reference = std::move(reference).value();
+  return Done{};
+}
+
+Result<Done> gather_references(Engine& engine, const Scene& scene, Gathered& gathered) {
+  for (const scene::Expectation& expectation : scene.expect) {
+    const auto* wanted = std::get_if<scene::ReferenceExpectation>(&expectation);
+    if (!wanted) continue;
+    if (!wanted->level) {
+      if (Result<Done> asked = ask_oracle(engine, scene, gathered); !asked) return asked;
+    } else {
+      Result<image::Image> reference = engine.reference(scene, *wanted->level);
+      if (!reference) return reference.diagnostics();
+      gathered.reference_at_level[*wanted->level] = std::move(reference).value();
+    }
+  }
+  return Done{};
+}
+
+Result<Gathered> gather(Engine& engine, const Scene& scene) {
+  Result<Rendered> rendered = engine.render(scene);
+  if (!rendered) return rendered.diagnostics();
+  Gathered gathered{
+      .rendered = std::move(rendered).value(), .golden = {}, .reference = {}, .reference_at_level = {}};
+  if (Result<Done> asked = gather_references(engine, scene, gathered); !asked) return asked.diagnostics();
+  if (golden_expectation(scene) && fs::exists(scene.golden_file)) {
+    Result<image::Image> golden = image::read_image(scene.golden_file);
+    if (!golden) return golden.diagnostics();
+    gathered.golden = std::move(golden).value();
+  }
+  return gathered;
+}
+
+bool golden_is_due(const Gathered& gathered, const scene::GoldenExpectation& expectation,
+                   UpdateGoldens update) {
+  if (update == UpdateGoldens::kNone) return false;
+  if (!gathered.golden || update == UpdateGoldens::kAll) return true;
+  return update == UpdateGoldens::kChanged &&
+         !judge::judge({expectation}, gathered.evidence()).front().passed;
+}
+
+/// Writes the golden where it is due. Returns "written", "updated" or nothing.
+Result<std::string> update_golden(Engine& engine, const Scene& scene, UpdateGoldens update,
+                                  Gathered& gathered) {
+  const scene::GoldenExpectation* expectation = golden_expectation(scene);
+  if (!expectation || !golden_is_due(gathered, *expectation, update)) return std::string();
+  if (Result<Done> asked = ask_oracle(engine, scene, gathered); !asked) return asked.diagnostics();
+  const Result<Done> written =
+      write_golden(gathered.rendered.image, *gathered.reference, scene, *expectation);
+  if (!written) return written.diagnostics();
+  const std::string note = gathered.golden ? "updated" : "written";
+  gathered.golden = make_golden(gathered.rendered.image, *gathered.reference, scene);
+  return note;
+}
+
+/// The image that a person would want to see beside the actual one.
+const image::Image* expected_image(const Gathered& gathered) {
+  if (gathered.golden) return &*gathered.golden;
+  if (gathered.reference) return &*gathered.reference;
+  return gathered.reference_at_level.empty() ? nullptr : &gathered.reference_at_level.begin()->second;
+}
+
+/// The names of the files of one test, below the results' directory.
+struct ResultFiles {
+  fs::path folder;
+  [[nodiscard]] std::string operator()(const char* name) const { return (folder / name).string(); }
+};
+
+Result<Done> write_pictures(const Scene& scene, const Gathered& gathered, const ResultFiles& files,
+                            TestResult& result) {
+  const terrain::HeightMap& map = *gathered.rendered.map;
+  const image::Image& actual = gathered.rendered.image;
+  const auto picture = [&](const image::Image& image) {
+    return Engine::picture(map, scene, image.channels.at("k_shadow"));
+  };
+  result.actual_png = files("actual.png");
+  if (Result<Done> done = image::write_png(result.actual_png, picture(actual)); !done) return done;
+  const image::Image* expected = expected_image(gathered);
+  const bool comparable = expected && expected->channel("k_shadow") && expected->pixels() == actual.pixels();
+  if (!comparable) return Done{};
+  result.expected_png = files("expected.png");
+  result.difference_png = files("difference.png");
+  if (Result<Done> done = image::write_png(result.expected_png, picture(*expected)); !done) return done;
+  judge::CompareOptions options{.channels = {"b_shadow"}};
+  return image::write_png(result.difference_png, judge::difference_picture(actual, *expected, options));
+}
+
+Result<Done> write_images(const Scene& scene, const Gathered& gathered, const RunOptions& options,
+                          TestResult& result) {
+  const ResultFiles files{fs::path(options.results_directory) / scene.id};
+  std::error_code error;
+  fs::create_directories(files.folder, error);
+  if (Result<Done> done = write_pictures(scene, gathered, files, result); !done) return done;
+  if (result.status == Status::kPassed) return Done{};
+  result.actual_exr = files("actual.exr");
+  if (Result<Done> done = image::write_exr(result.actual_exr, gathered.rendered.image); !done) return done;
+  const image::Image* expected = expected_image(gathered);
+  if (!expected) return Done{};
+  result.expected_exr = files("expected.exr");
+  return image::write_exr(result.expected_exr, *expected);
+}
+
+std::string reproduce_command(const Scene& scene, const RunOptions& options) {
+  std::string command =
+      cli::quote(options.program) + " test " + cli::quote(scene.file) + " --filter " + cli::quote(scene.id);
+  for (const std::string& override_text : scene.overrides) command += " --set " + cli::quote(override_text);
+  return command;
+}
+
+TestResult describe(const Scene& scene, const RunOptions& options) {
+  TestResult result;
+  result.id = scene.id;
+  result.scene_file = scene.file;
+  result.description = scene.description;
+  result.reproduce = reproduce_command(scene, options);
+  if (golden_expectation(scene)) result.accept = result.reproduce + " --update-goldens changed";
+  return result;
+}
+
+}  // namespace
+
+TestResult run_test(Engine& engine, const Scene& scene, const RunOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  TestResult result = describe(scene, options);
+  Result<Gathered> gathered = gather(engine, scene);
+  if (!gathered) {
+    fail(result, gathered.diagnostics());
+    return result;
+  }
+  const Result<std::string> updated = update_golden(engine, scene, options.update, *gathered);
+  if (updated) {
+    result.golden_note = *updated;
+  } else {
+    fail(result, updated.diagnostics());
+  }
+  result.verdicts = judge::judge(scene.expect, gathered->evidence());
+  const bool held =
+      std::all_of(result.verdicts.begin(), result.verdicts.end(), [](const auto& v) { return v.passed; });
+  if (!held && result.status == Status::kPassed) result.status = Status::kFailed;
+  if (options.pictures_of_all || result.status != Status::kPassed) {
+    if (const Result<Done> written = write_images(scene, *gathered, options, result); !written)
+      fail(result, written.diagnostics());
+  }
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace gnomon
