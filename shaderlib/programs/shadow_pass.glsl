@@ -35,7 +35,7 @@ GnomonMap pass_map() {
 
 // Pixel (x, y) looks at s = (x + 0.5) / width, t = (y + 0.5) / height of the map, row 0 in the north.
 GnomonReceiver pass_receiver() {
-  vec2 at = pixel * u_texels_per_pixel;
+  vec2 at = (gl_FragCoord.xy + u_first_pixel) * u_texels_per_pixel;
   return gnomon_receiver_at(at.x, at.y, u_receiver_height);
 }
 
