@@ -15,26 +15,18 @@ GnomonShadow gnomon_brute_force(GnomonMap map, GnomonReceiver receiver, vec3 to_
   if (without_ray.cause != GNOMON_CAUSE_UNDECIDED) return without_ray;
   GnomonRay ray = gnomon_ray(map, receiver, to_sun, q);
   GnomonCursor cursor = gnomon_near_walk(ray, receiver.height, q);
-  float t_above = ((map.highest - ray.base) - ray.height) / ray.rise;
-
+  float t_above = gnomon_t_above(map, ray);
   for (int i = cursor.steps; i < step_limit; ++i) {
     if (cursor.cause != GNOMON_CAUSE_UNDECIDED) break;
     cursor.steps = i + 1;
     vec2 exits = gnomon_ray_exits(ray, cursor.patch_index, 0);
-    float t_exit = min(exits.x, exits.y);
-    float crossed = min(t_exit, ray.t_end) - cursor.t;
-    GnomonCrossing crossing = gnomon_crossing(ray, cursor.patch_index, cursor.t, q);
-    float clearance = min(crossing.above - (ray.height + ray.rise * cursor.t), 0.0f);
-    if (gnomon_crossing_hides(crossing, clearance, crossed)) {
+    if (gnomon_far_patch_hides(ray, cursor.patch_index, cursor.t, exits, q)) {
       cursor.cause = GNOMON_CAUSE_SURFACE;
-      break;
+    } else {
+      cursor = gnomon_leave_block(ray, cursor, cursor.patch_index, 0, exits, t_above);
     }
-    if (t_exit >= ray.t_end) cursor.cause = GNOMON_CAUSE_LEFT_MAP;
-    if (t_exit >= t_above) cursor.cause = GNOMON_CAUSE_ABOVE_ALL;
-    cursor.patch_index = gnomon_ray_next(ray, cursor.patch_index, cursor.patch_index, 0, exits);
-    cursor.t = max(cursor.t, t_exit);
   }
-  return gnomon_shadow(cursor.cause == GNOMON_CAUSE_SURFACE ? 1.0f : 0.0f, cursor.steps, cursor.cause);
+  return gnomon_walk_answer(cursor);
 }
 
 #endif

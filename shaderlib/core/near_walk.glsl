@@ -6,19 +6,10 @@
 #ifndef GNOMON_CORE_NEAR_WALK_GLSL
 #define GNOMON_CORE_NEAR_WALK_GLSL
 
-#include <gnomon/core/ray.glsl>
-#include <gnomon/core/shadow.glsl>
+#include <gnomon/core/cursor.glsl>
 
 // One texel along the ray crosses at most 3 patches on each axis, of which two may be left at the same t.
 #define GNOMON_NEAR_PATCHES 6
-
-// Where a walk stands.
-struct GnomonCursor {
-  ivec2 patch_index;  // the patch to look at next
-  float t;            // where the ray enters it
-  int steps;          // patches and blocks visited so far
-  int cause;          // GNOMON_CAUSE_UNDECIDED while the walk goes on
-};
 
 // Walks until t reaches 1 or the answer is known. The clearance starts at minus the receiver's height, exactly, and is
 // carried from patch to patch: close to the receiver a difference of absolute heights would be all rounding.
@@ -30,23 +21,17 @@ GnomonCursor gnomon_near_walk(GnomonRay ray, float receiver_height, int q) {
   cursor.cause = GNOMON_CAUSE_UNDECIDED;
   float clearance = -receiver_height;
   for (int i = 0; i < GNOMON_NEAR_PATCHES; ++i) {
+    cursor.steps = i + 1;
     vec2 exits = gnomon_ray_exits(ray, cursor.patch_index, 0);
-    float t_exit = min(exits.x, exits.y);
-    float crossed = min(t_exit, ray.t_end) - cursor.t;
+    float crossed = min(min(exits.x, exits.y), ray.t_end) - cursor.t;
     GnomonCrossing crossing = gnomon_crossing(ray, cursor.patch_index, cursor.t, q);
-    cursor.steps += 1;
     if (gnomon_crossing_hides(crossing, clearance, crossed)) {
       cursor.cause = GNOMON_CAUSE_SURFACE;
       return cursor;
     }
-    if (t_exit >= ray.t_end) {
-      cursor.cause = GNOMON_CAUSE_LEFT_MAP;
-      return cursor;
-    }
     clearance = crossed > 0.0f ? min(gnomon_clearance_at(crossing, clearance, crossed), 0.0f) : clearance;
-    cursor.patch_index = gnomon_ray_next(ray, cursor.patch_index, cursor.patch_index, 0, exits);
-    cursor.t = max(cursor.t, t_exit);
-    if (cursor.t >= 1.0f) return cursor;
+    cursor = gnomon_leave_block(ray, cursor, cursor.patch_index, 0, exits, GNOMON_NEVER);
+    if (cursor.t >= 1.0f || cursor.cause != GNOMON_CAUSE_UNDECIDED) return cursor;
   }
   return cursor;
 }

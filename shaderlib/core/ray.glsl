@@ -149,4 +149,12 @@ bool gnomon_crossing_hides(GnomonCrossing crossing, float clearance, float cross
   return top_inside && crossing.slope * crossing.slope > 4.0f * crossing.curvature * clearance;
 }
 
+// Whether the surface hides the receiver within a patch that the ray enters at t >= 1 and leaves at `exits`: far enough
+// for the clearance to follow from the heights.
+bool gnomon_far_patch_hides(GnomonRay ray, ivec2 patch_index, float t, vec2 exits, int q) {
+  GnomonCrossing crossing = gnomon_crossing(ray, patch_index, t, q);
+  float clearance = min(crossing.above - (ray.height + ray.rise * t), 0.0f);
+  return gnomon_crossing_hides(crossing, clearance, min(min(exits.x, exits.y), ray.t_end) - t);
+}
+
 #endif

@@ -8,6 +8,13 @@
 
 #include <gnomon/core/near_walk.glsl>
 
+// The level to go on with: one coarser where the parent block changed, which is much quicker than beginning again at the
+// coarsest.
+int gnomon_climb(ivec2 left, ivec2 entered, int level, int top_level) {
+  ivec2 changed = (left >> (level + 1)) ^ (entered >> (level + 1));
+  return (changed.x | changed.y) != 0 ? min(level + 1, top_level) : level;
+}
+
 // Whether the receiver is hidden from the sun. to_sun: unit vector, x east, y north, z up. step_limit: blocks and
 // patches that may be visited, 8 * (width + height) always suffices; a ray that reaches it stays undecided.
 GnomonShadow gnomon_multilevel(GnomonMap map, GnomonReceiver receiver, vec3 to_sun, int q, int step_limit) {
@@ -15,39 +22,37 @@ GnomonShadow gnomon_multilevel(GnomonMap map, GnomonReceiver receiver, vec3 to_s
   if (without_ray.cause != GNOMON_CAUSE_UNDECIDED) return without_ray;
   GnomonRay ray = gnomon_ray(map, receiver, to_sun, q);
   GnomonCursor cursor = gnomon_near_walk(ray, receiver.height, q);
-  float t_above = ((map.highest - ray.base) - ray.height) / ray.rise;
-
+  float t_above = gnomon_t_above(map, ray);
   int level = 1;
-  for (int i = cursor.steps; i < step_limit; ++i) {
-    if (cursor.cause != GNOMON_CAUSE_UNDECIDED) break;
-    cursor.steps = i + 1;
-    ivec2 block = cursor.patch_index >> level;
-    ivec2 low = block << level;
-    float ray_height = ray.height + ray.rise * cursor.t;
-    // Compared where the ray enters: it only rises from there (erratum b).
-    if (level > 0 && gnomon_host_extrema(block, level, q) - ray.base > ray_height) {
-      level -= 1;
-      continue;
-    }
-    vec2 exits = gnomon_ray_exits(ray, low, level);
-    float t_exit = min(exits.x, exits.y);
-    if (level == 0) {
-      GnomonCrossing crossing = gnomon_crossing(ray, cursor.patch_index, cursor.t, q);
-      float crossed = min(t_exit, ray.t_end) - cursor.t;
-      if (gnomon_crossing_hides(crossing, min(crossing.above - ray_height, 0.0f), crossed)) {
-        cursor.cause = GNOMON_CAUSE_SURFACE;
-        break;
+  for (int leaf = 0; leaf < step_limit; ++leaf) {
+    // Blocks until a patch is reached, then that patch: hardware that runs pixels in lockstep pays for both kinds of step
+    // in a loop that mixes them.
+    for (int i = cursor.steps; i < step_limit; ++i) {
+      if (level == 0 || cursor.cause != GNOMON_CAUSE_UNDECIDED) break;
+      cursor.steps = i + 1;
+      ivec2 block = cursor.patch_index >> level;
+      // Compared where the ray enters: it only rises from there (erratum b).
+      if (gnomon_host_extrema(block, level, q) - ray.base > ray.height + ray.rise * cursor.t) {
+        level -= 1;
+      } else {
+        ivec2 left = cursor.patch_index;
+        ivec2 low = block << level;
+        cursor = gnomon_leave_block(ray, cursor, low, level, gnomon_ray_exits(ray, low, level), t_above);
+        level = gnomon_climb(left, cursor.patch_index, level, map.top_level);
       }
     }
-    if (t_exit >= ray.t_end) cursor.cause = GNOMON_CAUSE_LEFT_MAP;
-    if (t_exit >= t_above) cursor.cause = GNOMON_CAUSE_ABOVE_ALL;
-    ivec2 next = gnomon_ray_next(ray, cursor.patch_index, low, level, exits);
-    ivec2 left = (next >> (level + 1)) ^ (cursor.patch_index >> (level + 1));
-    if ((left.x | left.y) != 0) level = min(level + 1, map.top_level);
-    cursor.patch_index = next;
-    cursor.t = max(cursor.t, t_exit);
+    if (cursor.cause != GNOMON_CAUSE_UNDECIDED || cursor.steps >= step_limit) break;
+    cursor.steps += 1;
+    ivec2 left = cursor.patch_index;
+    vec2 exits = gnomon_ray_exits(ray, left, 0);
+    if (gnomon_far_patch_hides(ray, left, cursor.t, exits, q)) {
+      cursor.cause = GNOMON_CAUSE_SURFACE;
+      break;
+    }
+    cursor = gnomon_leave_block(ray, cursor, left, 0, exits, t_above);
+    level = gnomon_climb(left, cursor.patch_index, 0, map.top_level);
   }
-  return gnomon_shadow(cursor.cause == GNOMON_CAUSE_SURFACE ? 1.0f : 0.0f, cursor.steps, cursor.cause);
+  return gnomon_walk_answer(cursor);
 }
 
 #endif

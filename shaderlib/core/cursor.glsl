@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// summary: Where a walk along a ray stands, and its step to the next patch or block.
+// source:  docs/algorithms.md, "multilevel"; Algo 2 of Timokhin & Mikhaylyuk 2022 with erratum g
+// host:    none
+// options: none
+#ifndef GNOMON_CORE_CURSOR_GLSL
+#define GNOMON_CORE_CURSOR_GLSL
+
+#include <gnomon/core/ray.glsl>
+#include <gnomon/core/shadow.glsl>
+
+// A t that no ray reaches.
+#define GNOMON_NEVER 1e30f
+
+struct GnomonCursor {
+  ivec2 patch_index;  // the patch to look at next
+  float t;            // where the ray enters it
+  int steps;          // patches and blocks visited so far
+  int cause;          // GNOMON_CAUSE_UNDECIDED while the walk goes on
+};
+
+// Leaves the block of 2^level x 2^level patches that begins at `low`, where `exits` says. The walk ends where the ray
+// leaves the domain or rises above every sample, at t_above.
+GnomonCursor gnomon_leave_block(GnomonRay ray, GnomonCursor cursor, ivec2 low, int level, vec2 exits, float t_above) {
+  float t_exit = min(exits.x, exits.y);
+  GnomonCursor next = cursor;
+  if (t_exit >= ray.t_end) next.cause = GNOMON_CAUSE_LEFT_MAP;
+  if (t_exit >= t_above) next.cause = GNOMON_CAUSE_ABOVE_ALL;
+  next.patch_index = gnomon_ray_next(ray, cursor.patch_index, low, level, exits);
+  next.t = max(cursor.t, t_exit);
+  return next;
+}
+
+// Where the ray rises above the highest sample of the map.
+float gnomon_t_above(GnomonMap map, GnomonRay ray) {
+  return ((map.highest - ray.base) - ray.height) / ray.rise;
+}
+
+// The answer that a walk came to.
+GnomonShadow gnomon_walk_answer(GnomonCursor cursor) {
+  return gnomon_shadow(cursor.cause == GNOMON_CAUSE_SURFACE ? 1.0f : 0.0f, cursor.steps, cursor.cause);
+}
+
+#endif
