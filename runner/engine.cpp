@@ -7,6 +7,7 @@
 #include "image/hillshade.h"
 #include "oracle/oracle.h"
 #include "scene/load.h"
+#include "technique/hash.h"
 #include "technique/reference.h"
 #include "technique/renderer.h"
 #include "technique/technique.h"
@@ -141,6 +142,7 @@ Result<Rendered> Engine::render(const Scene& scene) {
   Result<image::Image> image = on_cpu ? reference(scene, scene.shadow.q) : render_with_gl(scene, *map);
   if (!image) return image.diagnostics();
   if (on_cpu) image->attributes["gnomon:renderer"] = "double-precision oracle";
+  image->attributes["gnomon:terrain_hash"] = technique::hash_floats((*map)->samples);
   return Rendered{std::move(image).value(), *map, terrain_->notes};
 }
 

@@ -147,21 +147,26 @@ std::string reason(const OIIO::ImageInput& input) {
   return text.empty() ? "no reason given" : text.substr(0, text.find('\n'));
 }
 
-/// All pixels of the chosen channels into `bytes`.
-bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, ChannelRange channels,
-                 OIIO::TypeDesc type, std::byte* bytes) {
-  // Given several strips of a TIFF file at once, OpenImageIO 2.4 unpacks them itself and overlooks damaged
-  // ones.
-  const bool by_rows = std::string_view(input.format_name()) == "tiff" && spec.tile_width == 0;
-  if (!by_rows) return input.read_image(0, 0, channels.begin, channels.end, type, bytes);
-  const std::size_t row_bytes = static_cast<std::size_t>(spec.width) * type.size() *
-                                static_cast<std::size_t>(channels.end - channels.begin);
-  for (int row = 0; row < spec.height; ++row) {
-    const int y = spec.y + row;
-    std::byte* place = bytes + static_cast<std::size_t>(row) * row_bytes;
-    if (!input.read_scanlines(0, 0, y, y + 1, 0, channels.begin, channels.end, type, place)) return false;
+/// The same as OIIO::ImageInput::read_image, for the strips of a TIFF file. Given several of them at once,
+/// OpenImageIO 2.4 unpacks them itself and overlooks damaged ones; given one row, it leaves that to libtiff.
+bool read_rows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, ChannelRange channels,
+               OIIO::TypeDesc type, std::byte* bytes) {
+  const int numbers = spec.width * (channels.end - channels.begin);
+  std::vector<std::byte> stored(static_cast<std::size_t>(numbers) * spec.format.size());
+  for (int y = spec.y; y < spec.y + spec.height; ++y) {
+    if (!input.read_native_scanlines(0, 0, y, y + 1, 0, channels.begin, channels.end, stored.data()))
+      return false;
+    OIIO::convert_pixel_values(spec.format, stored.data(), type, bytes, numbers);
+    bytes += static_cast<std::size_t>(numbers) * type.size();
   }
   return true;
+}
+
+bool read_pixels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, ChannelRange channels,
+                 OIIO::TypeDesc type, std::byte* bytes) {
+  const bool in_strips = std::string_view(input.format_name()) == "tiff" && spec.tile_width == 0;
+  return in_strips ? read_rows(input, spec, channels, type, bytes)
+                   : input.read_image(0, 0, channels.begin, channels.end, type, bytes);
 }
 
 Result<StoredImage> read_with(OIIO::ImageInput& input, const std::string& path, const ReadOptions& options) {

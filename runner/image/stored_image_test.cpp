@@ -126,6 +126,26 @@ TEST_F(StoredImageTest, TheFirstRowOfTheFileIsTheFirstRow) {
   expect_numbers(read_stored(file, {}), {10, 20, 30});
 }
 
+TEST_F(StoredImageTest, StripsKeepRowsAndChannelsApart) {
+  OIIO::ImageSpec spec(2, 3, 3, OIIO::TypeFloat);
+  spec.attribute("tiff:RowsPerStrip", 1);
+  std::vector<float> numbers;
+  for (int i = 0; i < 18; ++i) numbers.push_back(0.5f * static_cast<float>(i));
+  const std::string file = write("strips.tif", spec, numbers);
+  const auto all = read_stored(file, {});
+  ASSERT_TRUE(all.ok()) << to_string(all.diagnostics()[0]);
+  EXPECT_EQ(values(*all, 0), (std::vector<double>{0, 1.5, 3, 4.5, 6, 7.5}));
+  EXPECT_EQ(values(*all, 2), (std::vector<double>{1, 2.5, 4, 5.5, 7, 8.5}));
+  expect_numbers(read_stored(file, {.channel = "G"}), {0.5, 2, 3.5, 5, 6.5, 8});
+}
+
+TEST_F(StoredImageTest, HalvesAreWidenedExactly) {
+  // 1, -2, 65504 and the smallest subnormal as 16-bit floats.
+  const std::vector<std::uint16_t> bits{0x3c00, 0xc000, 0x7bff, 0x0001};
+  for (const char* name : {"half.exr", "half.tif"})
+    expect_numbers(read_stored(write(name, {4, 1, 1, OIIO::TypeHalf}, bits), {}), {1, -2, 65504, 0x1p-24});
+}
+
 TEST_F(StoredImageTest, TheNameOfTheFileDoesNotMatter) {
   const std::string file = write("a.png", {1, 1, 1, OIIO::TypeUInt8}, std::vector<std::uint8_t>{7});
   fs::rename(file, path("a.tif"));

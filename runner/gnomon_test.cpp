@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: MIT
+// The program as a user meets it: exit codes, messages, goldens that bite, nothing half-written.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "cli/shell.h"
+#include "image/image.h"
+
+namespace gnomon {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+  int code = -1;
+  std::string output;  ///< standard output and standard error
+};
+
+/// An empty folder with a project of its own, and the program run inside it.
+class Gnomon : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    root_ = fs::path(::testing::TempDir()) / (std::string("gnomon_test_") + test->name());
+    fs::remove_all(root_);
+    fs::create_directories(root_);
+    write("gnomon.json", R"({"version": 1})");
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  void write(const std::string& name, const std::string& text) {
+    fs::create_directories((root_ / name).parent_path());
+    std::ofstream(root_ / name, std::ios::binary) << text;
+  }
+
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream file(root_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  [[nodiscard]] Ran run(const std::string& arguments) const {
+    const std::string command = "cd " + cli::quote(root_.string()) + " && " + cli::quote(program_) + " " +
+                                arguments + " 2>&1 </dev/null";
+    Ran ran;
+    FILE* pipe = popen(command.c_str(), "r");
+    std::array<char, 4096> bytes{};
+    while (const std::size_t count = fread(bytes.data(), 1, bytes.size(), pipe))
+      ran.output.append(bytes.data(), count);
+    const int status = pclose(pipe);
+    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
+    return ran;
+  }
+
+  /// A scene over a fractal of `size` samples a side.
+  void write_scene(const std::string& name, const std::string& expect, int size = 96) {
+    write("testcases/" + name + ".json",
+          R"({"version": 1, "description": "d", "terrain": {"procedural": "fractal", "size": [)" +
+              std::to_string(size) + "," + std::to_string(size) +
+              R"(], "spacing": 10}, "sun": {"azimuth": 200, "elevation": 10}, "expect": )" + expect + "}");
+  }
+
+  /// A copy of the program with a shader library of its own, which a test may damage.
+  void install() {
+    fs::create_directories(root_ / "bin");
+    fs::create_directories(root_ / "share");
+    fs::copy_file(GNOMON_PROGRAM, root_ / "bin/gnomon");
+    fs::copy(GNOMON_SOURCE_DIR "/shaderlib", root_ / "share/gnomon", fs::copy_options::recursive);
+    program_ = (root_ / "bin/gnomon").string();
+  }
+
+  void replace(const std::string& name, const std::string& from, const std::string& to) {
+    std::string text = read(name);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << name << " has no '" << from << "'";
+    write(name, text.replace(at, from.size(), to));
+  }
+
+  fs::path root_;
+  std::string program_ = GNOMON_PROGRAM;
+};
+
+#define EXPECT_SAYS(ran, text) EXPECT_NE((ran).output.find(text), std::string::npos) << (ran).output
+
+TEST_F(Gnomon, WrongUsageIsTwo) {
+  EXPECT_EQ(run("").code, 2);
+  EXPECT_EQ(run("nonsense").code, 2);
+  EXPECT_EQ(run("render -o x.png").code, 2);
+  EXPECT_EQ(run("render --heightmap a.png --sun north -o x.png").code, 2);
+  EXPECT_EQ(run("test --shard 3/2").code, 2);
+  EXPECT_EQ(run("--help").code, 0);
+  EXPECT_EQ(run("test --help").code, 0);
+}
+
+TEST_F(Gnomon, UnreadableHeightMapsAreTwoAndLeaveTheOutputAlone) {
+  write("text.png", "these are no heights");
+  write("o.exr", "older");
+  for (const char* name : {"missing.png", "text.png", "."}) {
+    const Ran ran = run(std::string("render --heightmap ") + name + " -o o.exr");
+    EXPECT_EQ(ran.code, 2) << ran.output;
+    EXPECT_SAYS(ran, "error: ");
+    EXPECT_EQ(read("o.exr"), "older");
+  }
+}
+
+TEST_F(Gnomon, UnwritableOutputIsNinetyNine) {
+  write_scene("a", R"([{"reference": {}}])");
+  EXPECT_EQ(run("render testcases/a.json -o missing/o.exr").code, 99);
+}
+
+TEST_F(Gnomon, InvalidSceneIsLocatedAndTheOthersRun) {
+  write_scene("good", R"([{"reference": {}}])");
+  write("testcases/bad.json", "{\n  \"version\": 1,\n  \"descripton\": \"d\"\n}\n");
+  const Ran ran = run("test");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_SAYS(ran, "testcases/bad.json:3:3");
+  EXPECT_SAYS(ran, "1 passed, 1 failed");
+}
+
+TEST_F(Gnomon, FilterThatMatchesNothingIsTwoAndAnEmptyShardIsFine) {
+  write_scene("a", R"([{"reference": {}}])");
+  EXPECT_EQ(run("test --filter 'b*'").code, 2);
+  const Ran ran = run("test --shard 2/2");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_SAYS(ran, "0 passed, 0 failed");
+}
+
+TEST_F(Gnomon, NewSceneValidatesAndPasses) {
+  EXPECT_EQ(run("new area/case").code, 0);
+  EXPECT_EQ(run("validate testcases/area/case.json").code, 0);
+  const Ran ran = run("test");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_EQ(run("new area/case").code, 2) << "an existing scene is not overwritten";
+}
+
+TEST_F(Gnomon, MissingGoldenFailsAndPrintsTheAcceptCommand) {
+  write_scene("a", R"([{"golden": {}}])");
+  const Ran ran = run("test");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "--update-goldens");
+  EXPECT_EQ(run("test --update-goldens missing").code, 0);
+  EXPECT_EQ(run("test").code, 0);
+}
+
+TEST_F(Gnomon, NinePixelsOfAGoldenAreSeen) {
+  write_scene("a", R"([{"golden": {}}])");
+  write_scene("b", R"([{"golden": {}}])", 80);
+  ASSERT_EQ(run("test --update-goldens missing").code, 0);
+  const std::string path = (root_ / "goldens/b.exr").string();
+  image::Image golden = image::read_image(path).value();
+  for (std::size_t i = 0; i < 9; ++i)
+    golden.channels["b_shadow"][1000 + 37 * i] = 1 - golden.channels["b_shadow"][1000 + 37 * i];
+  ASSERT_TRUE(image::write_exr(path, golden).ok());
+  const Ran ran = run("test");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "9 of");
+  EXPECT_SAYS(ran, "testcases/b.json");
+  EXPECT_SAYS(ran, "1 passed, 1 failed");
+}
+
+TEST_F(Gnomon, DamagedTraversalIsSeenWithoutARebuild) {
+  install();
+  write_scene("a", R"([{"golden": {}}])");
+  ASSERT_EQ(run("test --update-goldens missing").code, 0);
+  // Erratum b: the block's maximum compared where the ray leaves it.
+  replace("share/gnomon/relief/multilevel.glsl", "ray.height + ray.rise * cursor.t)",
+          "ray.height + ray.rise * min(gnomon_ray_exits(ray, block << level, level).x, gnomon_ray_exits(ray, "
+          "block << "
+          "level, level).y))");
+  const Ran ran = run("test");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "0 passed, 1 failed");
+}
+
+TEST_F(Gnomon, ErrorThreeIncludesDeepIsReportedWhereItIs) {
+  install();
+  write_scene("a", R"([{"reference": {}}])");
+  replace("share/gnomon/core/ray.glsl", "ray.rise = to_sun.z / fastest;", "ray.rise = to_sun.z / fastets;");
+  const Ran ran = run("render testcases/a.json -o o.exr");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "core/ray.glsl:");
+  EXPECT_SAYS(ran, "'fastets'");
+  EXPECT_SAYS(ran, "included from");
+  EXPECT_FALSE(fs::exists(root_ / "o.exr"));
+}
+
+TEST_F(Gnomon, RayThatReachesTheStepBoundIsAnErrorNotALitPixel) {
+  install();
+  write_scene("a", R"([{"reference": {}}])");
+  replace("share/gnomon/programs/multilevel.frag", "u_step_limit", "3");
+  const Ran ran = run("render testcases/a.json -o o.exr");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "undecided");
+}
+
+TEST_F(Gnomon, HangingTestFailsAloneAndTheOthersGoOn) {
+  write_scene("quick", R"([{"reference": {}}])", 16);
+  write_scene("slow", R"([{"reference": {}}])", 4096);
+  const Ran ran = run("test --timeout 1.5 --jobs 1");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "no answer within 1 s");
+  EXPECT_SAYS(ran, "1 passed, 1 failed");
+}
+
+TEST_F(Gnomon, DiffOfEqualImagesIsZeroAndOfOtherSizesOne) {
+  write_scene("a", R"([{"reference": {}}])");
+  write_scene("b", R"([{"reference": {}}])", 80);
+  ASSERT_EQ(run("render testcases/a.json -o a.exr").code, 0);
+  ASSERT_EQ(run("render testcases/b.json -o b.exr").code, 0);
+  EXPECT_EQ(run("diff a.exr a.exr").code, 0);
+  EXPECT_EQ(run("diff a.exr b.exr -o d.png").code, 1);
+  EXPECT_EQ(run("diff a.exr missing.exr").code, 2);
+  EXPECT_EQ(run("diff a.exr a.exr --tolerance nonsense").code, 2);
+}
+
+TEST_F(Gnomon, ReferenceNeedsNoOpenGl) {
+  write_scene("a", R"([{"reference": {}}])");
+  const Ran ran = run("render testcases/a.json --set shadow.method=reference -o a.exr");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_TRUE(image::read_image((root_ / "a.exr").string())->channel("horizon"));
+}
+
+}  // namespace
+}  // namespace gnomon
