@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // summary: Where a walk along a ray stands, and its step to the next patch or block.
 // source:  docs/algorithms.md, "multilevel"; Algo 2 of Timokhin & Mikhaylyuk 2022 with erratum g
-// host:    none
+// host:    gnomon_host_height
 // options: none
 #ifndef GNOMON_CORE_CURSOR_GLSL
 #define GNOMON_CORE_CURSOR_GLSL
