@@ -203,9 +203,9 @@ TEST_F(StoredImageTest, DamageInAPngIsFoundWhereverItIsAndNothingIsPrinted) {
 
 TEST_F(StoredImageTest, DamagedStripsOfATiffAreFound) {
   std::vector<std::uint16_t> numbers;
-  for (std::uint32_t i = 0; i < 1200; ++i)
+  for (std::uint32_t i = 0; i < 3600; ++i)
     numbers.push_back(static_cast<std::uint16_t>((i * i * 40503u >> 7) & 0x3f3fu));
-  const std::string whole = bytes_of(write("strips.tif", {40, 30, 1, OIIO::TypeUInt16}, numbers));
+  const std::string whole = bytes_of(write("strips.tif", {40, 90, 1, OIIO::TypeUInt16}, numbers));
   int damaged = 0, found = 0;
   for (std::size_t place = whole.size() / 4; place < whole.size() / 2; place += 5, ++damaged) {
     std::string bytes = whole;

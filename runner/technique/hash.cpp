@@ -16,8 +16,12 @@ std::string hash(const void* bytes, std::size_t count) {
 
 }  // namespace
 
-std::string hash_text(const std::string& text) { return hash(text.data(), text.size()); }
+std::string hash_text(const std::string& text) {
+  return hash(text.data(), text.size());
+}
 
-std::string hash_floats(std::span<const float> values) { return hash(values.data(), values.size_bytes()); }
+std::string hash_floats(std::span<const float> values) {
+  return hash(values.data(), values.size_bytes());
+}
 
 }  // namespace gnomon::technique
