@@ -2,7 +2,6 @@
 // Methods side by side on the same work, in one run: what a claim of speed rests on.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 

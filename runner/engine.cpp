@@ -10,6 +10,7 @@
 #include "technique/hash.h"
 #include "technique/reference.h"
 #include "technique/renderer.h"
+#include "technique/surface.h"
 #include "technique/technique.h"
 #include "technique/view.h"
 #include "terrain/load.h"
@@ -21,6 +22,16 @@ namespace {
 using scene::Scene;
 using terrain::HeightMap;
 using terrain::LoadedHeightMap;
+
+/// Wider than any map of a planet, narrower than what single precision holds.
+constexpr double kSmallestSpacing = 1e-6;  // metres
+constexpr double kLargestSpacing = 1e9;
+
+Diagnostics check_spacing(const HeightMap& map, const Scene& scene) {
+  const auto [smaller, larger] = std::minmax(map.spacing_x, map.spacing_y);
+  if (smaller >= kSmallestSpacing && larger <= kLargestSpacing) return {};
+  return {{.file = scene.file, .message = "the spacing of the height map has to be 1e-6 to 1e9 metres"}};
+}
 
 std::array<double, 2> spacing_of(const scene::Terrain& terrain) {
   return terrain.spacing.value_or(std::array{1.0, 1.0});
@@ -74,8 +85,7 @@ Diagnostics in_scene(Diagnostics diagnostics, const Scene& scene) {
 /// The heights under the pixels of a view, for pictures.
 std::vector<float> heights_under(const HeightMap& map, const technique::MapView& view) {
   if (view.on_samples()) return map.samples;
-  const oracle::Surface surface{map.width,        map.height,        map.spacing_x, map.spacing_y,
-                                map.domain_width, map.domain_height, map.samples};
+  const oracle::Surface surface = technique::surface_of(map);
   std::vector<float> heights;
   for (int y = 0; y < view.size.y; ++y) {
     for (int x = 0; x < view.size.x; ++x) {
@@ -91,6 +101,7 @@ Result<std::shared_ptr<const HeightMap>> Engine::terrain(const Scene& scene) {
   if (terrain_ && terrain_->source == scene.terrain) return terrain_->map;
   Result<LoadedHeightMap> loaded = std::visit(MakeTerrain{scene.terrain}, scene.terrain.source);
   if (!loaded) return in_scene(loaded.diagnostics(), scene);
+  if (Diagnostics wrong = check_spacing(loaded->map, scene); !wrong.empty()) return wrong;
   terrain_ = LoadedTerrain{scene.terrain, std::make_shared<const HeightMap>(std::move(loaded->map)),
                            std::move(loaded->notes)};
   return terrain_->map;

@@ -4,8 +4,11 @@
 
 #include <atomic>
 #include <csignal>
+#include <exception>
+#include <ext/stdio_filebuf.h>
 #include <filesystem>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include "cli/arguments.h"
@@ -35,6 +38,30 @@ int terminal_columns() {
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
+/// A worker answers on what was its standard output; what any library prints there goes to standard error, so
+/// that it cannot be taken for an answer.
+class AnswerStream {
+ public:
+  AnswerStream() : buffer_(dup(STDOUT_FILENO), std::ios::out), stream_(&buffer_) {
+    dup2(STDERR_FILENO, STDOUT_FILENO);
+  }
+  std::ostream& stream() { return stream_; }
+
+ private:
+  __gnu_cxx::stdio_filebuf<char> buffer_;
+  std::ostream stream_;
+};
+
+int run(const gnomon::cli::Command& command, gnomon::cli::Console& console) {
+  try {
+    return std::visit([&](const auto& arguments) { return gnomon::cli::run_command(arguments, console); },
+                      command);
+  } catch (const std::exception& exception) {
+    console.err << "error: out of resources: " << exception.what() << "\n";
+    return static_cast<int>(gnomon::Failure::kMachine);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -47,8 +74,14 @@ int main(int argc, char** argv) {
   std::error_code error;
   const std::string executable = std::filesystem::read_symlink("/proc/self/exe", error).string();
   const auto* test = std::get_if<cli::TestArguments>(&*line.command);
-  if (!test || !test->worker) catch_interrupts();
-  cli::Console console{.out = std::cout,
+  std::optional<AnswerStream> answers;
+  if (test && test->worker) {
+    answers.emplace();
+  } else {
+    catch_interrupts();
+  }
+  cli::Console console{.in = std::cin,
+                       .out = answers ? answers->stream() : std::cout,
                        .err = std::cerr,
                        .terminal = isatty(STDERR_FILENO) == 1,
                        .columns = terminal_columns(),
@@ -56,11 +89,8 @@ int main(int argc, char** argv) {
                        .executable = executable,
                        .shader_library = shader_library(executable),
                        .interrupted = interrupted};
-  const int code =
-      std::visit([&](const auto& arguments) { return cli::run_command(arguments, console); }, *line.command);
-  if (!std::cout.flush()) {
-    std::cerr << "error: cannot write to standard output\n";
-    return cli::worse(code, static_cast<int>(Failure::kMachine));
-  }
-  return code;
+  const int code = run(*line.command, console);
+  if (console.out.flush()) return code;
+  std::cerr << "error: cannot write to standard output\n";
+  return cli::worse(code, static_cast<int>(Failure::kMachine));
 }

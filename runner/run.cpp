@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "cli/shell.h"
 #include "golden.h"
 #include "judge/judge.h"
+#include "shell.h"
 
 namespace gnomon {
 namespace {
@@ -81,17 +81,26 @@ Result<Done> gather_references(Engine& engine, const Scene& scene, Gathered& gat
   return Done{};
 }
 
-Result<Gathered> gather(Engine& engine, const Scene& scene) {
+/// A golden that cannot be read fails the test, unless it is about to be replaced.
+Result<Done> read_golden(const Scene& scene, UpdateGoldens update, Gathered& gathered) {
+  std::error_code error;
+  if (!golden_expectation(scene) || !fs::exists(scene.golden_file, error)) return Done{};
+  Result<image::Image> golden = image::read_image(scene.golden_file);
+  if (golden) {
+    gathered.golden = std::move(golden).value();
+  } else if (update != UpdateGoldens::kChanged && update != UpdateGoldens::kAll) {
+    return golden.diagnostics();
+  }
+  return Done{};
+}
+
+Result<Gathered> gather(Engine& engine, const Scene& scene, UpdateGoldens update) {
   Result<Rendered> rendered = engine.render(scene);
   if (!rendered) return rendered.diagnostics();
   Gathered gathered{
       .rendered = std::move(rendered).value(), .golden = {}, .reference = {}, .reference_at_level = {}};
   if (Result<Done> asked = gather_references(engine, scene, gathered); !asked) return asked.diagnostics();
-  if (golden_expectation(scene) && fs::exists(scene.golden_file)) {
-    Result<image::Image> golden = image::read_image(scene.golden_file);
-    if (!golden) return golden.diagnostics();
-    gathered.golden = std::move(golden).value();
-  }
+  if (Result<Done> read = read_golden(scene, update, gathered); !read) return read.diagnostics();
   return gathered;
 }
 
@@ -166,8 +175,8 @@ Result<Done> write_images(const Scene& scene, const Gathered& gathered, const Ru
 
 std::string reproduce_command(const Scene& scene, const RunOptions& options) {
   std::string command =
-      cli::quote(options.program) + " test " + cli::quote(scene.file) + " --filter " + cli::quote(scene.id);
-  for (const std::string& override_text : scene.overrides) command += " --set " + cli::quote(override_text);
+      quote(options.program) + " test " + quote(scene.file) + " --filter " + quote(scene.id);
+  for (const std::string& flag : options.flags) command += " " + quote(flag);
   return command;
 }
 
@@ -186,7 +195,7 @@ TestResult describe(const Scene& scene, const RunOptions& options) {
 TestResult run_test(Engine& engine, const Scene& scene, const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   TestResult result = describe(scene, options);
-  Result<Gathered> gathered = gather(engine, scene);
+  Result<Gathered> gathered = gather(engine, scene, options.update);
   if (!gathered) {
     fail(result, gathered.diagnostics());
     return result;

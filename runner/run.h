@@ -21,9 +21,10 @@ enum class UpdateGoldens {
 struct RunOptions {
   UpdateGoldens update = UpdateGoldens::kNone;
   std::string results_directory =
-      "gnomon-results";            ///< images of failed tests go to a folder of the test's id below
-  bool pictures_of_all = false;    ///< a page shows passed tests too
-  std::string program = "gnomon";  ///< how the user calls us: for the commands we print
+      "gnomon-results";              ///< images of failed tests go to a folder of the test's id below
+  bool pictures_of_all = false;      ///< a page shows passed tests too
+  std::vector<std::string> flags{};  ///< further words of the commands we print
+  std::string program = "gnomon";    ///< how the user calls us: for the commands we print
 };
 
 /// Renders the scene and judges it. Writes a golden only as `update` says and only if the oracle agrees with

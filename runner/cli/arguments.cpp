@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 #include "gnomon/compiler/compiler.h"
@@ -71,6 +72,23 @@ void add_pair(CLI::App* app, const std::string& name, std::optional<std::array<N
       ->type_name(shape);
 }
 
+/// A finite number of lowest..highest; CLI::Range lets NaN through.
+void add_number(CLI::App* app, const std::string& name, const std::string& unit, double lowest,
+                double highest, const std::function<void(double)>& store, const std::string& description) {
+  std::ostringstream shape;
+  shape << "a number from " << lowest << " to " << highest;
+  app->add_option_function<std::string>(
+         name,
+         [=, shape = shape.str()](const std::string& text) {
+           const auto number = number_of<double>(text, name, shape);
+           if (number < lowest || number > highest)
+             throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
+           store(number);
+         },
+         description)
+      ->type_name(unit);
+}
+
 void add_overrides(CLI::App* app, std::vector<std::string>& overrides) {
   app->add_option("--set", overrides,
                   "override a scene key by its dotted path, such as sun.elevation=5 (repeatable)")
@@ -114,13 +132,15 @@ void add_map_options(CLI::App* app, RenderArguments& a) {
   app->add_option("--q", a.q, "level of detail, 0 is the map itself. Default 0")
       ->type_name("N")
       ->check(CLI::Range(0, 30));
-  app->add_option("--receiver-height", a.receiver_height, "metres above the surface of the level. Default 0")
-      ->type_name("METRES")
-      ->check(CLI::Range(0.0, 1e9));
+  add_number(
+      app, "--receiver-height", "METRES", 0, 1e9, [&a](double v) { a.receiver_height = v; },
+      "metres above the surface of the level. Default 0");
   add_pair<int>(app, "--size", a.size, 'x', false, "WxH", "pixels. Default: one a height sample");
   add_pair<double>(app, "--spacing", a.spacing, ',', true, "X[,Y]",
                    "metres between height samples. Default 1");
-  app->add_option("--vertical-scale", a.vertical_scale, "metres per stored unit. Default 1")->type_name("S");
+  add_number(
+      app, "--vertical-scale", "S", -1e9, 1e9, [&a](double v) { a.vertical_scale = v; },
+      "metres per stored unit. Default 1");
   app->add_option("--channel", a.channel, "channel of an image that has several")->type_name("NAME");
 }
 
@@ -157,9 +177,9 @@ void add_test_options(CLI::App* app, TestArguments& a) {
              "all: every "
              "one. Default none");
   app->add_flag("--list", a.list, "print the ids and run nothing");
-  app->add_option("--timeout", a.timeout, "a test without an answer for so long fails. Default 120")
-      ->type_name("SECONDS")
-      ->check(CLI::Range(0.1, 86400.0));
+  add_number(
+      app, "--timeout", "SECONDS", 0.1, 86400, [&a](double v) { a.timeout = v; },
+      "a test without an answer for so long fails. Default 120");
   add_overrides(app, a.overrides);
 }
 
@@ -173,9 +193,9 @@ void add_diff(CLI::App& root, DiffArguments& a) {
                   "absolute difference that passes, for one channel or for all (repeatable)")
       ->type_name("[CHANNEL=]ABS")
       ->allow_extra_args(false);
-  app->add_option("--max-mismatch", a.max_mismatch, "share of pixels that may differ. Default 0")
-      ->type_name("FRACTION")
-      ->check(CLI::Range(0.0, 1.0));
+  add_number(
+      app, "--max-mismatch", "FRACTION", 0, 1, [&a](double v) { a.max_mismatch = v; },
+      "share of pixels that may differ. Default 0");
 }
 
 void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArguments& made,
@@ -191,9 +211,9 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
   app->add_option("--size", bench.sizes, "samples a side of the fractal map (repeatable). Default 1024 2048")
       ->type_name("N")
       ->check(CLI::Range(16, 16384));
-  app->add_option("--elevation", bench.elevation, "of the sun, degrees. Default 10")
-      ->type_name("DEGREES")
-      ->check(CLI::Range(0.1, 89.9));
+  add_number(
+      app, "--elevation", "DEGREES", 0.1, 89.9, [&bench](double v) { bench.elevation = v; },
+      "of the sun, degrees. Default 10");
   app->add_option("--rounds", bench.rounds, "how often each method runs. Default 5")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
@@ -258,15 +278,30 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
   return {test, {}, 0};
 }
 
-std::vector<std::string> worker_arguments(const TestArguments& a) {
-  const auto key_of = [](const auto& table, auto value) {
-    return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.second == value; })
-        ->first;
-  };
-  std::vector<std::string> words{"worker", "--backend",        key_of(kBackends, a.backend), "--target",
-                                 a.target, "--update-goldens", key_of(kUpdates, a.update)};
-  if (!a.report.empty()) words.insert(words.end(), {"--report", a.report});
+namespace {
+
+template <class Value>
+std::string key_of(const std::map<std::string, Value>& table, Value value) {
+  return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.second == value; })
+      ->first;
+}
+
+}  // namespace
+
+std::vector<std::string> rendering_flags(const TestArguments& a) {
+  const TestArguments defaults;
+  std::vector<std::string> words;
+  if (a.backend != defaults.backend) words.insert(words.end(), {"--backend", key_of(kBackends, a.backend)});
+  if (a.target != defaults.target) words.insert(words.end(), {"--target", a.target});
   for (const std::string& override_text : a.overrides) words.insert(words.end(), {"--set", override_text});
+  return words;
+}
+
+std::vector<std::string> worker_arguments(const TestArguments& a) {
+  std::vector<std::string> words{"worker", "--update-goldens", key_of(kUpdates, a.update)};
+  if (!a.report.empty()) words.insert(words.end(), {"--report", a.report});
+  const std::vector<std::string> flags = rendering_flags(a);
+  words.insert(words.end(), flags.begin(), flags.end());
   return words;
 }
 

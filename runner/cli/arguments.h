@@ -83,6 +83,9 @@ struct CommandLine {
 
 [[nodiscard]] CommandLine parse_arguments(int argc, const char* const* argv);
 
+/// What changes the pictures of a test run, as words of a command line; nothing where all is at its default.
+[[nodiscard]] std::vector<std::string> rendering_flags(const TestArguments& arguments);
+
 /// The options of a test run as arguments for its workers.
 [[nodiscard]] std::vector<std::string> worker_arguments(const TestArguments& arguments);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <istream>
 #include <ostream>
 #include <string>
 
@@ -11,6 +12,7 @@
 namespace gnomon::cli {
 
 struct Console {
+  std::istream& in;
   std::ostream& out;
   std::ostream& err;
   bool terminal = false;       ///< progress may be rewritten in place

@@ -101,8 +101,13 @@ int run_command(const RenderArguments& arguments, Console& console) {
                  .includes = project ? project->includes : std::vector<std::string>{},
                  .target = arguments.target,
                  .backend = arguments.backend});
+  std::size_t written_count = 0;
   for (const scene::Scene& scene : loaded.scenes) {
-    if (console.interrupted) return static_cast<int>(Failure::kInterrupted);
+    if (console.interrupted) {
+      console.err << "interrupted: " << written_count << " of " << loaded.scenes.size()
+                  << " images were written\n";
+      return static_cast<int>(Failure::kInterrupted);
+    }
     const Result<Rendered> rendered = engine.render(scene);
     if (!rendered) return report(console, rendered.diagnostics());
     for (const std::string& note : rendered->notes) console.err << note << "\n";
@@ -110,6 +115,7 @@ int run_command(const RenderArguments& arguments, Console& console) {
     if (const Result<Done> written = write(path, *rendered, scene); !written)
       return report(console, written.diagnostics());
     console.out << path << "\n";
+    ++written_count;
   }
   return 0;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <iostream>
+#include <exception>
+#include <istream>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,7 @@ class Server {
   report::TestResult run(const Request& request) {
     if (request.scene_file != file_) load(request.scene_file);
     for (const scene::Scene& scene : tests_) {
-      if (scene.id == request.id) return run_test(*engine_, scene, options(request));
+      if (scene.id == request.id) return run(scene, request);
     }
     report::TestResult result;
     result.id = request.id;
@@ -33,6 +34,20 @@ class Server {
   }
 
  private:
+  /// An exception that a library lets out (memory, most likely) costs its own test only.
+  report::TestResult run(const scene::Scene& scene, const Request& request) {
+    try {
+      return run_test(*engine_, scene, options(request));
+    } catch (const std::exception& exception) {
+      report::TestResult result;
+      result.id = scene.id;
+      result.scene_file = scene.file;
+      result.status = report::Status::kMachine;
+      result.error = std::string("error: out of resources: ") + exception.what();
+      return result;
+    }
+  }
+
   void load(const std::string& file) {
     file_ = file;
     tests_ = scene::load_scene(file, arguments_.overrides, vocabulary_).tests;
@@ -51,6 +66,7 @@ class Server {
                        .pictures_of_all = !arguments_.report.empty(),
                        .program = request.program};
     if (!arguments_.report.empty()) options.results_directory = arguments_.report;
+    options.flags = rendering_flags(arguments_);
     return options;
   }
 
@@ -67,7 +83,7 @@ class Server {
 
 int serve(const TestArguments& arguments, Console& console) {
   Server server(arguments, console);
-  for (std::string line; std::getline(std::cin, line);) {
+  for (std::string line; std::getline(console.in, line);) {
     const std::optional<Request> request = request_from_json(line);
     if (!request) return 2;
     console.out << report::to_json(server.run(*request)) << std::endl;

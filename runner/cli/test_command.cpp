@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <thread>
 
 #include "cli/commands.h"
@@ -32,17 +34,33 @@ TestResult invalid_scene(const std::string& file, const Diagnostics& diagnostics
   return result;
 }
 
+/// Adds the chosen tests of a scene. Two files that make the same id would share a golden.
+void add_tests(const std::vector<scene::Scene>& tests, const TestArguments& arguments,
+               const scene::Shard& shard, const std::string& program,
+               std::map<std::string, std::string>& file_of_id, Planned& planned) {
+  for (const scene::Scene& test : tests) {
+    if (!scene::is_chosen(arguments.filters, test.id)) continue;
+    const auto [other, is_new] = file_of_id.emplace(test.id, test.file);
+    if (!is_new) {
+      planned.invalid.push_back(invalid_scene(
+          test.file, {{.file = test.file,
+                       .message = "makes the test '" + test.id + "', as " + other->second +
+                                  " does; run them apart, or put both into one project (gnomon.json)"}}));
+      return;
+    }
+    if (shard.contains(planned.chosen++)) planned.requests.push_back({test.file, test.id, program});
+  }
+}
+
 Planned plan(const std::vector<std::string>& files, const TestArguments& arguments, const scene::Shard& shard,
              const std::string& program) {
   Planned planned;
   const scene::Vocabulary words = vocabulary();
+  std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
     const scene::LoadResult loaded = scene::load_scene(file, arguments.overrides, words);
     if (!loaded.diagnostics.empty()) planned.invalid.push_back(invalid_scene(file, loaded.diagnostics));
-    for (const scene::Scene& test : loaded.tests) {
-      if (!scene::is_chosen(arguments.filters, test.id)) continue;
-      if (shard.contains(planned.chosen++)) planned.requests.push_back({file, test.id, program});
-    }
+    add_tests(loaded.tests, arguments, shard, program, file_of_id, planned);
   }
   return planned;
 }
@@ -79,7 +97,7 @@ int code_of(const std::vector<TestResult>& results) {
 TestResult result_of(const Request& request, const worker::Outcome& outcome) {
   if (outcome.failure.empty()) {
     Result<TestResult> result = report::from_json(outcome.answer);
-    if (result) return std::move(result).value();
+    if (result && result->id == request.id) return std::move(result).value();
   }
   TestResult result;
   result.id = request.id;
@@ -98,18 +116,24 @@ Result<std::vector<TestResult>> run_tests(const std::vector<Request>& requests,
   std::vector<std::optional<TestResult>> results(requests.size());
   report::Progress progress{
       .finished = 0, .total = requests.size(), .terminal = console.terminal, .columns = console.columns};
-  const auto done = [&](std::size_t job, const worker::Outcome& outcome) {
-    results[job] = result_of(requests[job], outcome);
-    ++progress.finished;
-    console.err << report::test_finished(progress, *results[job]) << std::flush;
-  };
+  const worker::Listener listener{
+      .begun =
+          [&](std::size_t job) {
+            console.err << report::test_begun(progress, requests[job].id) << std::flush;
+          },
+      .done =
+          [&](std::size_t job, const worker::Outcome& outcome) {
+            results[job] = result_of(requests[job], outcome);
+            ++progress.finished;
+            console.err << report::test_finished(progress, *results[job]) << std::flush;
+          }};
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const worker::PoolOptions options{
       .executable = console.executable,
       .arguments = worker_arguments(arguments),
       .workers = arguments.jobs > 0 ? arguments.jobs : static_cast<int>(cores),
       .timeout = std::chrono::milliseconds(static_cast<long>(arguments.timeout * 1000))};
-  const Result<Done> ran = worker::run_pool(lines, options, console.interrupted, done);
+  const Result<Done> ran = worker::run_pool(lines, options, console.interrupted, listener);
   console.err << report::run_finished(progress) << std::flush;
   if (!ran) return ran.diagnostics();
   std::vector<TestResult> finished;

@@ -124,27 +124,4 @@ Picture hillshade(const std::vector<float>& heights, int width, int height, doub
   return picture;
 }
 
-Picture grey(const std::vector<float>& values, int width, int height, float lo, float hi) {
-  Picture picture{width, height, {}};
-  picture.rgb.reserve(3 * values.size());
-  const double range = std::max(static_cast<double>(hi) - lo, 1e-30);
-  for (const float value : values) {
-    const double level = (static_cast<double>(value) - lo) / range;
-    put(picture, {level, level, level});
-  }
-  return picture;
-}
-
-Picture enlarge(const Picture& picture, int factor) {
-  Picture large{picture.width * factor, picture.height * factor, {}};
-  large.rgb.reserve(picture.rgb.size() * static_cast<std::size_t>(factor) * static_cast<std::size_t>(factor));
-  for (int y = 0; y < large.height; ++y)
-    for (int x = 0; x < large.width; ++x) {
-      const auto source = static_cast<std::size_t>(y / factor) * static_cast<std::size_t>(picture.width) +
-                          static_cast<std::size_t>(x / factor);
-      for (std::size_t c = 0; c < 3; ++c) large.rgb.push_back(picture.rgb[3 * source + c]);
-    }
-  return large;
-}
-
 }  // namespace gnomon::image

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of numbers, for people: hill-shaded relief with its cast shadows, grey scales, enlargements.
+// Hill-shaded relief with its cast shadows, for people.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,5 @@ namespace gnomon::image {
 [[nodiscard]] Picture hillshade(const std::vector<float>& heights, int width, int height, double spacing_x,
                                 double spacing_y, const std::vector<float>& k_shadow, double sun_azimuth_deg,
                                 double sun_elevation_deg);
-
-/// `lo` and below black, `hi` and above white; width * height values, row 0 on top.
-[[nodiscard]] Picture grey(const std::vector<float>& values, int width, int height, float lo, float hi);
-
-/// Every pixel as a square of factor * factor, factor >= 1.
-[[nodiscard]] Picture enlarge(const Picture& picture, int factor);
 
 }  // namespace gnomon::image

@@ -62,20 +62,5 @@ TEST(Hillshade, MapsOfOneSampleHaveAPicture) {
   EXPECT_EQ(hillshade({5, 7}, 1, 2, 1, 1, {1, 0}, 0, -20).rgb.size(), 6u);
 }
 
-TEST(Grey, RunsFromBlackToWhite) {
-  const Picture picture = grey({-9, 0, 1, 2, 99}, 5, 1, 0, 2);
-  EXPECT_EQ(picture.rgb,
-            (std::vector<unsigned char>{0, 0, 0, 0, 0, 0, 128, 128, 128, 255, 255, 255, 255, 255, 255}));
-}
-
-TEST(Enlarge, MakesSquares) {
-  const Picture large = enlarge({2, 1, {1, 2, 3, 4, 5, 6}}, 2);
-  EXPECT_EQ(large.width, 4);
-  EXPECT_EQ(large.height, 2);
-  const std::vector<unsigned char> row{1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6};
-  EXPECT_EQ(std::vector<unsigned char>(large.rgb.begin(), large.rgb.begin() + 12), row);
-  EXPECT_EQ(std::vector<unsigned char>(large.rgb.begin() + 12, large.rgb.end()), row);
-}
-
 }  // namespace
 }  // namespace gnomon::image

@@ -187,6 +187,7 @@ Result<StoredImage> read_with(OIIO::ImageInput& input, const std::string& path, 
   image.attributes = string_attributes(spec);
   const OIIO::TypeDesc type = in_memory(spec.channelformat(channels.begin));
   image.type = *number_type(type);
+  if (options.header_only) return image;
   // Not zeroed: a large header without data then costs no memory.
   image.bytes =
       std::make_unique_for_overwrite<std::byte[]>(image.pixels() * image.channels.size() * type.size());

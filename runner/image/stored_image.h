@@ -39,6 +39,7 @@ struct ReadOptions {
   int max_size = 32768;  ///< longest side that is accepted; a longer one is refused before pixels are read
   bool one_channel = false;            ///< an image of several channels is refused unless `channel` picks one
   std::optional<std::string> channel;  ///< reads this channel only
+  bool header_only = false;            ///< leaves `bytes` empty: for the size and the channels alone
 };
 
 /// Reads a PNG, OpenEXR or TIFF file, whatever its name ends with. Fails, never throws: missing, a folder,

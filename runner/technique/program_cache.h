@@ -2,7 +2,6 @@
 // Programs of the shader library, assembled, validated and linked once.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>

@@ -5,21 +5,12 @@
 #include <cmath>
 
 #include "oracle/oracle.h"
+#include "technique/surface.h"
 #include "technique/view.h"
 #include "terrain/level.h"
 
 namespace gnomon::technique {
 namespace {
-
-oracle::Surface surface_of(const terrain::HeightMap& map) {
-  return {.width = map.width,
-          .height = map.height,
-          .spacing_x = map.spacing_x,
-          .spacing_y = map.spacing_y,
-          .domain_width = map.domain_width,
-          .domain_height = map.domain_height,
-          .samples = map.samples};
-}
 
 std::vector<oracle::Receiver> receivers_of(const MapView& view, int level, double height) {
   std::vector<oracle::Receiver> receivers;

@@ -13,7 +13,7 @@ namespace gnomon::technique {
 
 /// Draws the scene's view with the scene's method from a pyramid of level scene.shadow.q. Channels b_shadow,
 /// k_shadow, q, steps, valid. Fails (kFailed) if a ray reached its step bound, naming the first such pixel.
-/// `draw_seconds`, where given, takes the time from first to last draw without reading back.
+/// `draw_seconds`, where given, takes the sum of the draws' times, without reading back.
 [[nodiscard]] Result<image::Image> render_shadow(ProgramCache& programs, const Pyramid& pyramid,
                                                  const scene::Scene& scene, const terrain::HeightMap& base,
                                                  double* draw_seconds = nullptr);

@@ -7,9 +7,9 @@ namespace gnomon::technique {
 
 const std::vector<Technique>& techniques() {
   static const std::vector<Technique> table = {
-      {"multilevel", "programs/multilevel.frag", "exact hard shadow over a pyramid of patch maxima", true},
-      {"brute_force", "programs/brute_force.frag", "exact hard shadow, every patch under the ray", false},
-      {"reference", "", "the double-precision oracle, no GL", false},
+      {"multilevel", "programs/multilevel.frag", "exact hard shadow over a pyramid of patch maxima"},
+      {"brute_force", "programs/brute_force.frag", "exact hard shadow, every patch under the ray"},
+      {"reference", "", "the double-precision oracle, no GL"},
   };
   return table;
 }

@@ -12,7 +12,6 @@ struct Technique {
   std::string
       program;  ///< fragment program below the shader library; empty: computed on the CPU by the oracle
   std::string description;  ///< one sentence
-  bool uses_extrema;        ///< whether the block maxima have to be built first
 };
 
 /// Every method, the default one first.

@@ -5,7 +5,6 @@
 #include <string>
 
 #include "engine.h"
-#include "oracle/oracle.h"
 
 namespace gnomon::testing {
 
@@ -27,11 +26,6 @@ inline scene::Scene scene_over(const std::string& map, int width, int height) {
     scene.terrain.spacing = {{10, 10}};
   }
   return scene;
-}
-
-inline oracle::Surface surface_of(const terrain::HeightMap& map) {
-  return {map.width,        map.height,        map.spacing_x, map.spacing_y,
-          map.domain_width, map.domain_height, map.samples};
 }
 
 }  // namespace gnomon::testing

@@ -22,7 +22,9 @@ Diagnostic no_process(const char* what) {
 
 [[noreturn]] void become(const std::string& executable, std::vector<char*>& arguments, int socket) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a worker never outlives its parent, however that ends
+  // Both reach the whole process group; the parent decides what becomes of its workers.
   std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
   dup2(socket, STDIN_FILENO);
   dup2(socket, STDOUT_FILENO);
   execv(executable.c_str(), arguments.data());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "worker/pool.h"
 
+#include <fmt/format.h>
 #include <poll.h>
 
 #include <algorithm>
@@ -28,9 +29,8 @@ struct Worker {
 
 class Pool {
  public:
-  Pool(const std::vector<std::string>& requests, const PoolOptions& options,
-       const std::function<void(std::size_t, const Outcome&)>& done)
-      : requests_(requests), options_(options), done_(done) {}
+  Pool(const std::vector<std::string>& requests, const PoolOptions& options, const Listener& listener)
+      : requests_(requests), options_(options), listener_(listener) {}
 
   Result<Done> run(const std::atomic<bool>& interrupted) {
     while (finished_ < requests_.size() && !interrupted) {
@@ -58,6 +58,7 @@ class Pool {
     worker.busy.reset();
     if (next_ == requests_.size()) return;
     worker.busy = Busy{next_++, Clock::now() + options_.timeout};
+    listener_.begun(worker.busy->job);
     if (!worker.process.send_line(requests_[worker.busy->job])) bury(worker);
   }
 
@@ -85,11 +86,12 @@ class Pool {
     for (Worker& worker : workers_) {
       if (!worker.busy || Clock::now() < worker.busy->deadline) continue;
       (void)worker.process.end();
-      const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(options_.timeout).count();
+      const double seconds = std::chrono::duration<double>(options_.timeout).count();
       finish(worker.busy->job,
              {.answer = {},
-              .failure = "no answer within " + std::to_string(seconds) +
-                         " s; its worker was stopped (--timeout SECONDS changes the limit)"});
+              .failure = fmt::format(
+                  "no answer within {:g} s; its worker was stopped (--timeout SECONDS changes the limit)",
+                  seconds)});
       worker.busy.reset();
     }
   }
@@ -101,12 +103,12 @@ class Pool {
 
   void finish(std::size_t job, const Outcome& outcome) {
     ++finished_;
-    done_(job, outcome);
+    listener_.done(job, outcome);
   }
 
   const std::vector<std::string>& requests_;
   const PoolOptions& options_;
-  const std::function<void(std::size_t, const Outcome&)>& done_;
+  const Listener& listener_;
   std::vector<Worker> workers_;
   std::size_t next_ = 0;
   std::size_t finished_ = 0;
@@ -115,9 +117,8 @@ class Pool {
 }  // namespace
 
 Result<Done> run_pool(const std::vector<std::string>& requests, const PoolOptions& options,
-                      const std::atomic<bool>& interrupted,
-                      const std::function<void(std::size_t, const Outcome&)>& done) {
-  return Pool(requests, options, done).run(interrupted);
+                      const std::atomic<bool>& interrupted, const Listener& listener) {
+  return Pool(requests, options, listener).run(interrupted);
 }
 
 }  // namespace gnomon::worker

@@ -28,11 +28,16 @@ struct Outcome {
       failure;  ///< "its worker ended by signal 11 (Segmentation fault)"; empty where there is an answer
 };
 
-/// Sends each request (one line) to the next free worker and calls `done` with its index as answers (one
-/// line) come in. Returns early, having killed the workers, when `interrupted` becomes true. Fails only if no
-/// worker can be started.
+/// What a caller hears of a job, by its index.
+struct Listener {
+  std::function<void(std::size_t)> begun = [](std::size_t) {};
+  std::function<void(std::size_t, const Outcome&)> done;
+};
+
+/// Sends each request (one line) to the next free worker and tells the listener as jobs begin and answers
+/// (one line) come in. Returns early, having killed the workers, when `interrupted` becomes true. Fails only
+/// if no worker can be started.
 [[nodiscard]] Result<Done> run_pool(const std::vector<std::string>& requests, const PoolOptions& options,
-                                    const std::atomic<bool>& interrupted,
-                                    const std::function<void(std::size_t, const Outcome&)>& done);
+                                    const std::atomic<bool>& interrupted, const Listener& listener);
 
 }  // namespace gnomon::worker

@@ -14,7 +14,7 @@ PoolOptions shell_workers(int workers) {
       .executable = "/bin/sh",
       .arguments =
           {"-c",
-           "while read line; do case $line in die) kill -SEGV $$;; quit) exit 3;; hang) sleep 60;; *) echo "
+           "while read line; do case $line in die) kill -SEGV $$;; quit) exit 3;; hang) exec sleep 60;; *) echo "
            "a$line;; esac; done"},
       .workers = workers,
       .timeout = std::chrono::milliseconds(1500)};
@@ -25,7 +25,7 @@ std::map<std::size_t, Outcome> run(const std::vector<std::string>& requests, int
   const std::atomic<bool> interrupted = false;
   const Result<Done> ran =
       run_pool(requests, shell_workers(workers), interrupted,
-               [&](std::size_t job, const Outcome& outcome) { outcomes[job] = outcome; });
+               {.done = [&](std::size_t job, const Outcome& outcome) { outcomes[job] = outcome; }});
   EXPECT_TRUE(ran.ok());
   return outcomes;
 }
@@ -49,15 +49,17 @@ TEST(Pool, DyingWorkerCostsItsOwnJobOnly) {
 TEST(Pool, HangingWorkerIsStoppedAndTheOthersGoOn) {
   const auto outcomes = run({"hang", "1", "2", "3"}, 2);
   ASSERT_EQ(outcomes.size(), 4U);
-  EXPECT_NE(outcomes.at(0).failure.find("no answer within 1 s"), std::string::npos) << outcomes.at(0).failure;
+  EXPECT_NE(outcomes.at(0).failure.find("no answer within 1.5 s"), std::string::npos)
+      << outcomes.at(0).failure;
   for (const std::size_t job : {1U, 2U, 3U}) EXPECT_TRUE(outcomes.at(job).failure.empty());
 }
 
 TEST(Pool, InterruptKeepsWhatIsFinished) {
   std::atomic<bool> interrupted = false;
   std::size_t finished = 0;
-  const Result<Done> ran = run_pool({"1", "2", "hang", "3"}, shell_workers(1), interrupted,
-                                    [&](std::size_t, const Outcome&) { interrupted = ++finished == 2; });
+  const Result<Done> ran =
+      run_pool({"1", "2", "hang", "3"}, shell_workers(1), interrupted,
+               {.done = [&](std::size_t, const Outcome&) { interrupted = ++finished == 2; }});
   EXPECT_TRUE(ran.ok());
   EXPECT_EQ(finished, 2U);
 }
@@ -65,8 +67,9 @@ TEST(Pool, InterruptKeepsWhatIsFinished) {
 TEST(Pool, ProgramThatCannotBeStartedIsSaid) {
   const std::atomic<bool> interrupted = false;
   std::string failure;
-  const Result<Done> ran = run_pool({"1"}, {.executable = "/nonexistent", .arguments = {}}, interrupted,
-                                    [&](std::size_t, const Outcome& outcome) { failure = outcome.failure; });
+  const Result<Done> ran =
+      run_pool({"1"}, {.executable = "/nonexistent", .arguments = {}}, interrupted,
+               {.done = [&](std::size_t, const Outcome& outcome) { failure = outcome.failure; }});
   EXPECT_TRUE(ran.ok());
   EXPECT_EQ(failure, "its worker exited with code 127");
 }

@@ -9,9 +9,6 @@
 #include <gnomon/core/ray.glsl>
 #include <gnomon/core/shadow.glsl>
 
-// A t that no ray reaches.
-#define GNOMON_NEVER 1e30f
-
 struct GnomonCursor {
   ivec2 patch_index;  // the patch to look at next
   float t;            // where the ray enters it

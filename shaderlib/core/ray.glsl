@@ -9,6 +9,8 @@
 #include <gnomon/core/height_map.glsl>
 #include <gnomon/core/map.glsl>
 
+// A t that no ray reaches.
+#define GNOMON_NEVER 1e30f
 // A component of the direction below this moves a ray by less than a millionth of a texel over any map.
 #define GNOMON_NO_COMPONENT 1e-12f
 
@@ -58,9 +60,14 @@ void gnomon_enter_patch(float direction, GNOMON_OUT(int) patch_index, GNOMON_OUT
   fraction = west_edge ? 1.0f : (east_edge ? 0.0f : receiver_fraction);
 }
 
-// Where the ray leaves the domain along one axis; `ahead` is the texels between the start and the edge ahead.
 float gnomon_inverse(float direction) {
-  return direction == 0.0f ? 1e30f : 1.0f / direction;
+  return direction == 0.0f ? GNOMON_NEVER : 1.0f / direction;
+}
+
+// Where the ray leaves the domain along one axis, `ahead` patches (signed) from its start. A ray along the edge itself
+// does not leave over it.
+float gnomon_domain_exit(float ahead, float direction) {
+  return direction == 0.0f ? GNOMON_NEVER : ahead / direction;
 }
 
 // The ray from the receiver towards the sun, which stands above the plane and not at the zenith.
@@ -90,7 +97,8 @@ GnomonRay gnomon_ray(GnomonMap map, GnomonReceiver receiver, vec3 to_sun, int q)
   // The edge ahead in patches from the start patch; patch x begins half a texel west of sample x.
   float edge_x = (ray.forward.x == 1 ? map.domain.x + 0.5f : 0.5f) - float(start_x);
   float edge_y = (ray.forward.y == 1 ? map.domain.y + 0.5f : 0.5f) - float(start_y);
-  ray.t_end = min((edge_x - fraction_x) * ray.inverse.x, (edge_y - fraction_y) * ray.inverse.y);
+  ray.t_end = min(gnomon_domain_exit(edge_x - fraction_x, direction.x),
+                  gnomon_domain_exit(edge_y - fraction_y, direction.y));
   return ray;
 }
 

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "oracle/oracle.h"
+#include "technique/surface.h"
 #include "terrain/level.h"
 #include "terrain/procedural.h"
 #include "testing/cpp_modules.h"
@@ -16,6 +17,7 @@
 namespace {
 
 using glm::vec3;
+using gnomon::technique::surface_of;
 using gnomon::terrain::HeightMap;
 namespace oracle = gnomon::oracle;
 
@@ -38,11 +40,6 @@ HeightMap make(const std::string& kind, int width, int height) {
   return gnomon::terrain::make_procedural(
              {.kind = kind, .width = width, .height = height, .seed = 3, .spacing_x = 10, .spacing_y = 10})
       .value();
-}
-
-oracle::Surface surface_of(const HeightMap& map) {
-  return {map.width,        map.height,        map.spacing_x, map.spacing_y,
-          map.domain_width, map.domain_height, map.samples};
 }
 
 vec3 to_sun(double azimuth, double elevation) {
@@ -156,6 +153,42 @@ TEST_P(ExactShadow, IsOnTheRightSideOfItsOwnHorizon) {
 INSTANTIATE_TEST_SUITE_P(Maps, ExactShadow,
                          testing::Values("fractal", "gorge", "spikes", "steps", "posts", "crater"),
                          [](const auto& info) { return std::string(info.param); });
+
+// A ray along the edge of the domain looks at the surface there; one that faces out meets nothing.
+TEST(Multilevel, AgreesWithTheOracleOnEveryEdgeAndCorner) {
+  Tally tally;
+  const HeightMap base = make("fractal", 61, 34);
+  for (int q = 0; q <= gnomon::terrain::coarsest_level(base.width, base.height); ++q) {
+    const HeightMap map = gnomon::terrain::level(base, q);
+    const glsl::GnomonMap glsl_map = glsl::use_map(map);
+    const auto east = static_cast<float>(map.domain_width);
+    const auto south = static_cast<float>(map.domain_height);
+    for (int azimuth = 0; azimuth < 360; azimuth += 15) {
+      Batch batch{.azimuth = double(azimuth), .band = 1e-4};
+      std::vector<oracle::Receiver> receivers;
+      for (int i = 0; i <= 8; ++i) {
+        const float part = static_cast<float>(i) / 8;
+        for (const auto& [column, row] : {std::pair{0.0F, part * south},
+                                          {east, part * south},
+                                          {part * east, 0.0F},
+                                          {part * east, south}}) {
+          batch.rays.push_back({column, row, 3});
+          receivers.push_back({column, row, 0});
+        }
+      }
+      batch.horizons = oracle::horizons(surface_of(map), receivers, oracle::ground_direction(azimuth));
+      for (std::size_t i = 0; i < batch.rays.size(); ++i) {
+        for (const double elevation : {0.5, 3.0, 9.0}) {
+          ask(glsl_map, batch, {batch.rays[i].column, batch.rays[i].row, elevation}, batch.horizons[i],
+              tally);
+        }
+      }
+    }
+  }
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_EQ(tally.undecided, 0);
+  EXPECT_GT(tally.rays, 10000);
+}
 
 TEST(Multilevel, EndsOnDegenerateMapsAndSuns) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}}) {

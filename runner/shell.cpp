@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "cli/shell.h"
+#include "shell.h"
 
 #include <string_view>
 
-namespace gnomon::cli {
+namespace gnomon {
 
 std::string quote(const std::string& text) {
   constexpr std::string_view kSafe =
@@ -14,4 +14,4 @@ std::string quote(const std::string& text) {
   return quoted + "'";
 }
 
-}  // namespace gnomon::cli
+}  // namespace gnomon

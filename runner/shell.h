@@ -4,9 +4,9 @@
 
 #include <string>
 
-namespace gnomon::cli {
+namespace gnomon {
 
 /// `text` as one word of a POSIX shell: as it is where that is safe, else in single quotes.
 [[nodiscard]] std::string quote(const std::string& text);
 
-}  // namespace gnomon::cli
+}  // namespace gnomon
