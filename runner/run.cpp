@@ -186,8 +186,17 @@ TestResult describe(const Scene& scene, const RunOptions& options) {
   result.scene_file = scene.file;
   result.description = scene.description;
   result.reproduce = reproduce_command(scene, options);
-  if (golden_expectation(scene)) result.accept = result.reproduce + " --update-goldens changed";
   return result;
+}
+
+/// Accepting a golden mends a failed golden and nothing else.
+std::string accept_command(const Scene& scene, const Gathered& gathered, const TestResult& result) {
+  for (std::size_t i = 0; i < scene.expect.size(); ++i) {
+    const bool is_golden = std::holds_alternative<scene::GoldenExpectation>(scene.expect[i]);
+    if (!is_golden || result.verdicts[i].passed) continue;
+    return result.reproduce + " --update-goldens " + (gathered.golden ? "changed" : "missing");
+  }
+  return {};
 }
 
 }  // namespace
@@ -207,6 +216,7 @@ TestResult run_test(Engine& engine, const Scene& scene, const RunOptions& option
     fail(result, updated.diagnostics());
   }
   result.verdicts = judge::judge(scene.expect, gathered->evidence());
+  result.accept = accept_command(scene, *gathered, result);
   const bool held =
       std::all_of(result.verdicts.begin(), result.verdicts.end(), [](const auto& v) { return v.passed; });
   if (!held && result.status == Status::kPassed) result.status = Status::kFailed;

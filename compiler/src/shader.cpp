@@ -107,4 +107,9 @@ Shader compile(const std::string& text, Stage stage) {
   return shader;
 }
 
+std::string glslang_version() {
+  const glslang::Version version = glslang::GetVersion();
+  return fmt::format("{}.{}.{}", version.major, version.minor, version.patch);
+}
+
 }  // namespace gnomon::compiler

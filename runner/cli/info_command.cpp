@@ -6,12 +6,14 @@
 
 #include "cli/commands.h"
 #include "engine.h"
+#include "gnomon/compiler/compiler.h"
 
 namespace gnomon::cli {
 
 int run_command(const InfoArguments&, Console& console) {
   console.out << "gnomon            " << GNOMON_VERSION << "\n"
               << "shader library    " << console.shader_library << "\n"
+              << "glslang           " << compiler::glslang_version() << "\n"
               << "OpenImageIO       " << OIIO_VERSION_STRING << "\n"
               << "nlohmann-json     " << NLOHMANN_JSON_VERSION_MAJOR << "." << NLOHMANN_JSON_VERSION_MINOR
               << "." << NLOHMANN_JSON_VERSION_PATCH << "\n"

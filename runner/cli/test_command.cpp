@@ -107,10 +107,14 @@ TestResult result_of(const Request& request, const worker::Outcome& outcome) {
   return result;
 }
 
-/// Runs the tests in worker processes and returns their results in the order of the plan; those that an
-/// interrupt left out are absent.
-Result<std::vector<TestResult>> run_tests(const std::vector<Request>& requests,
-                                          const TestArguments& arguments, Console& console) {
+/// What became of the tests, in the order of the plan; those that an interrupt or a failing machine left out
+/// are absent.
+struct TestRun {
+  std::vector<TestResult> results;
+  Diagnostics diagnostics;  // of the machine
+};
+
+TestRun run_tests(const std::vector<Request>& requests, const TestArguments& arguments, Console& console) {
   std::vector<std::string> lines;
   for (const Request& request : requests) lines.push_back(to_json(request));
   std::vector<std::optional<TestResult>> results(requests.size());
@@ -135,12 +139,11 @@ Result<std::vector<TestResult>> run_tests(const std::vector<Request>& requests,
       .timeout = std::chrono::milliseconds(static_cast<long>(arguments.timeout * 1000))};
   const Result<Done> ran = worker::run_pool(lines, options, console.interrupted, listener);
   console.err << report::run_finished(progress) << std::flush;
-  if (!ran) return ran.diagnostics();
-  std::vector<TestResult> finished;
+  TestRun run{.results = {}, .diagnostics = ran ? Diagnostics{} : ran.diagnostics()};
   for (std::optional<TestResult>& result : results) {
-    if (result) finished.push_back(*std::move(result));
+    if (result) run.results.push_back(*std::move(result));
   }
-  return finished;
+  return run;
 }
 
 void print(const std::vector<TestResult>& results, Console& console) {
@@ -185,14 +188,14 @@ int run_command(const TestArguments& arguments, Console& console) {
   }
   if (arguments.list) return list(planned, console);
 
-  Result<std::vector<TestResult>> ran = run_tests(planned.requests, arguments, console);
-  if (!ran) return report(console, ran.diagnostics());
+  const TestRun run = run_tests(planned.requests, arguments, console);
   std::vector<TestResult> results = planned.invalid;
-  results.insert(results.end(), ran->begin(), ran->end());
+  results.insert(results.end(), run.results.begin(), run.results.end());
   print(results, console);
   int code = worse(code_of(results), write_report(results, arguments, console));
+  code = worse(code, report(console, run.diagnostics));
   if (console.interrupted) {
-    console.out << "interrupted: " << ran->size() << " of " << planned.requests.size()
+    console.out << "interrupted: " << run.results.size() << " of " << planned.requests.size()
                 << " tests had finished\n";
     code = worse(code, static_cast<int>(Failure::kInterrupted));
   }

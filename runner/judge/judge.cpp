@@ -14,6 +14,9 @@
 namespace gnomon::judge {
 namespace {
 
+/// How far a channel that is computed, not decided, may lie from what is expected.
+constexpr double kComputedTolerance = 1e-6;
+
 Verdict failed(std::string expectation, Obstacle obstacle) {
   return {.expectation = std::move(expectation),
           .measured = std::move(obstacle.measured),
@@ -22,8 +25,11 @@ Verdict failed(std::string expectation, Obstacle obstacle) {
 
 Verdict judge_golden(const scene::GoldenExpectation& golden, const Evidence& evidence) {
   if (evidence.golden == nullptr) return failed("golden", {"no golden yet", "a golden image"});
-  return compare(evidence.actual, *evidence.golden,
-                 {.max_mismatch = golden.max_mismatch, .tolerance = golden.tolerance, .band = golden.band});
+  CompareOptions options{
+      .max_mismatch = golden.max_mismatch, .tolerance = golden.tolerance, .band = golden.band};
+  // A product and a sum that another driver may fuse; emplace: what the scene says stays.
+  options.tolerance.emplace("k_shadow", kComputedTolerance);
+  return compare(evidence.actual, *evidence.golden, options);
 }
 
 const image::Image* reference_for(const scene::ReferenceExpectation& expectation, const Evidence& evidence) {
@@ -51,8 +57,7 @@ Verdict judge_reference(const scene::ReferenceExpectation& expectation, const Ev
 
 /// How far a channel may be from what a probe names. Flags and levels are small integers, hence exact.
 double probe_tolerance(const std::string& channel) {
-  constexpr double kTolerance = 1e-6;
-  return channel == "b_shadow" || channel == "q" || channel == "valid" ? 0.0 : kTolerance;
+  return channel == "b_shadow" || channel == "q" || channel == "valid" ? 0.0 : kComputedTolerance;
 }
 
 /// Either what hinders the probe, or nothing.

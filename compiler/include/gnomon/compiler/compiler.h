@@ -113,4 +113,7 @@ struct Assembled {
 /// validated.
 [[nodiscard]] Result<Assembled> check(const std::string& path, const Options& options);
 
+/// The version of glslang that validates, such as "12.0.0".
+[[nodiscard]] std::string glslang_version();
+
 }  // namespace gnomon::compiler
