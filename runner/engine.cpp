@@ -150,6 +150,10 @@ Result<Rendered> Engine::render(const Scene& scene) {
     return wrong;
   const bool on_cpu =
       options_.backend == Backend::kCpu || technique::find_technique(scene.shadow.method)->program.empty();
+  if (options_.backend == Backend::kEgl) {
+    // Asked for by name: its absence is an error even where the method could do without.
+    if (const Result<const gl::Info*> info = gl_info(); !info) return info.diagnostics();
+  }
   Result<image::Image> image = on_cpu ? reference(scene, scene.shadow.q) : render_with_gl(scene, *map);
   if (!image) return image.diagnostics();
   if (on_cpu) image->attributes["gnomon:renderer"] = "double-precision oracle";

@@ -207,6 +207,55 @@ TEST_F(Gnomon, HangingTestFailsAloneAndTheOthersGoOn) {
   EXPECT_SAYS(ran, "1 passed, 1 failed");
 }
 
+TEST_F(Gnomon, SceneWhoseExpectIsNoListCostsItselfOnly) {
+  write_scene("good", R"([{"reference": {}}])");
+  write_scene("bad", "1");
+  const Ran ran = run("test");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_SAYS(ran, "/expect");
+  EXPECT_SAYS(ran, "1 passed, 1 failed");
+  EXPECT_EQ(run("test --filter good").code, 0) << "a scene that no filter can mean does not count";
+}
+
+TEST_F(Gnomon, NothingIsRenderedOverItsOwnInput) {
+  write_scene("a", R"([{"reference": {}}])");
+  ASSERT_EQ(run("render testcases/a.json --set shadow.method=reference -o a.exr").code, 0);
+  const std::string before = read("a.exr");
+  EXPECT_EQ(run("render --heightmap a.exr --channel horizon -o a.exr").code, 2);
+  EXPECT_EQ(read("a.exr"), before);
+}
+
+TEST_F(Gnomon, NumbersThatAreNoneAreTwo) {
+  write_scene("a", R"([{"reference": {}}])");
+  ASSERT_EQ(run("render testcases/a.json --set shadow.method=reference -o a.exr").code, 0);
+  const std::string heights = "render --heightmap a.exr --channel horizon -o o.exr ";
+  for (const char* option :
+       {"--receiver-height nan", "--vertical-scale inf", "--spacing 1e300", "--sun nan,3"}) {
+    EXPECT_EQ(run(heights + option).code, 2) << option;
+  }
+  EXPECT_EQ(run("test --timeout nan").code, 2);
+  EXPECT_EQ(run("bench --elevation nan").code, 2);
+  EXPECT_EQ(run(heights).code, 0);
+}
+
+TEST_F(Gnomon, BrokenGoldenCanBeReplaced) {
+  write_scene("a", R"([{"golden": {}}])");
+  write("goldens/a.exr", "no image");
+  EXPECT_EQ(run("test").code, 2);
+  EXPECT_EQ(run("test --update-goldens missing").code, 2);
+  EXPECT_EQ(run("test --update-goldens changed").code, 0);
+  EXPECT_EQ(run("test").code, 0);
+}
+
+TEST_F(Gnomon, WithoutEglGlIsNinetyNineAndTheOracleAnswers) {
+  write_scene("a", R"([{"reference": {}}])");
+  setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+  EXPECT_EQ(run("render testcases/a.json -o o.exr").code, 99);
+  EXPECT_EQ(run("render testcases/a.json --backend cpu -o o.exr").code, 0);
+  EXPECT_EQ(run("render testcases/a.json --backend egl --set shadow.method=reference -o o.exr").code, 99);
+  unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
+}
+
 TEST_F(Gnomon, DiffOfEqualImagesIsZeroAndOfOtherSizesOne) {
   write_scene("a", R"([{"reference": {}}])");
   write_scene("b", R"([{"reference": {}}])", 80);

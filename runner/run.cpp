@@ -169,15 +169,12 @@ Result<Done> write_images(const Scene& scene, const Gathered& gathered, const Ru
   if (Result<Done> done = image::write_exr(result.actual_exr, gathered.rendered.image); !done) return done;
   const image::Image* expected = expected_image(gathered);
   if (!expected) return Done{};
+  if (gathered.golden) {
+    result.expected_exr = scene.golden_file;
+    return Done{};
+  }
   result.expected_exr = files("expected.exr");
   return image::write_exr(result.expected_exr, *expected);
-}
-
-std::string reproduce_command(const Scene& scene, const RunOptions& options) {
-  std::string command =
-      quote(options.program) + " test " + quote(scene.file) + " --filter " + quote(scene.id);
-  for (const std::string& flag : options.flags) command += " " + quote(flag);
-  return command;
 }
 
 TestResult describe(const Scene& scene, const RunOptions& options) {
@@ -185,7 +182,7 @@ TestResult describe(const Scene& scene, const RunOptions& options) {
   result.id = scene.id;
   result.scene_file = scene.file;
   result.description = scene.description;
-  result.reproduce = reproduce_command(scene, options);
+  result.reproduce = reproduce_command(scene.file, scene.id, options);
   return result;
 }
 
@@ -200,6 +197,13 @@ std::string accept_command(const Scene& scene, const Gathered& gathered, const T
 }
 
 }  // namespace
+
+std::string reproduce_command(const std::string& scene_file, const std::string& id,
+                              const RunOptions& options) {
+  std::string command = quote(options.program) + " test " + quote(scene_file) + " --filter " + quote(id);
+  for (const std::string& flag : options.flags) command += " " + quote(flag);
+  return command;
+}
 
 TestResult run_test(Engine& engine, const Scene& scene, const RunOptions& options) {
   const auto begin = std::chrono::steady_clock::now();

@@ -27,6 +27,10 @@ struct RunOptions {
   std::string program = "gnomon";    ///< how the user calls us: for the commands we print
 };
 
+/// The command that runs one test again.
+[[nodiscard]] std::string reproduce_command(const std::string& scene_file, const std::string& id,
+                                            const RunOptions& options);
+
 /// Renders the scene and judges it. Writes a golden only as `update` says and only if the oracle agrees with
 /// it outside the band (or the scene says why not); writes images where the test failed or where all are
 /// asked for.

@@ -240,6 +240,15 @@ void check_render(const RenderArguments& a) {
   }
 }
 
+std::string commands_of(const CLI::App& root) {
+  std::string text = "The commands:";
+  for (const CLI::App* command :
+       root.get_subcommands([](const CLI::App* app) { return !app->get_group().empty(); })) {
+    text += " " + command->get_name();
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 CommandLine parse_arguments(int argc, const char* const* argv) {
@@ -265,6 +274,7 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
     std::ostringstream out;
     std::ostringstream err;
     const bool asked = root.exit(error, out, err) == 0;
+    if (root.get_subcommands().empty() && !asked) err << commands_of(root);
     return {std::nullopt, asked ? out.str() : err.str(), asked ? 0 : 2};
   }
   test.worker = root.got_subcommand("worker");

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "image/image.h"
@@ -35,6 +36,12 @@ int run_command(const DiffArguments& arguments, Console& console) {
     return report(console,
                   {{.file = arguments.output, .message = "the picture of the difference is a .png"}});
   }
+  std::error_code error;
+  if (std::filesystem::equivalent(arguments.output, arguments.actual, error) ||
+      std::filesystem::equivalent(arguments.output, arguments.expected, error)) {
+    return report(console, {{.file = arguments.output,
+                             .message = "is one of the images to compare: write to another file"}});
+  }
   judge::CompareOptions options{.max_mismatch = arguments.max_mismatch};
   for (const std::string& text : arguments.tolerances) {
     if (const Result<Done> added = add_tolerance(text, options); !added)
@@ -46,6 +53,12 @@ int run_command(const DiffArguments& arguments, Console& console) {
   if (!expected) code = worse(code, report(console, expected.diagnostics()));
   if (code != 0) return code;
 
+  for (const auto& [name, tolerance] : options.tolerance) {
+    if (!expected->channel(name)) {
+      return report(
+          console, {{.file = "--tolerance " + name, .message = arguments.expected + " has no such channel"}});
+    }
+  }
   // A golden leaves out the steps; two renders that someone compares by hand do not.
   for (const auto& [name, values] : expected->channels) {
     if (name != "band") options.channels.insert(name);

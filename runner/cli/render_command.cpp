@@ -81,6 +81,17 @@ Result<Done> write(const std::string& path, const Rendered& rendered, const scen
   return image::write_tiff(path, rendered.image, "b_shadow");
 }
 
+/// Whether two names lead to one file, links followed.
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return fs::equivalent(a, b, error);
+}
+
+bool overwrites_input(const std::string& output, const scene::Scene& scene) {
+  const auto* file = std::get_if<scene::FileTerrain>(&scene.terrain.source);
+  return same_file(output, scene.file) || (file && same_file(output, file->path));
+}
+
 bool known_output(const std::string& path) {
   const std::string extension = extension_of(path);
   return extension == ".exr" || extension == ".png" || extension == ".tif" || extension == ".tiff";
@@ -97,6 +108,12 @@ int run_command(const RenderArguments& arguments, Console& console) {
   if (const int code = report(console, loaded.diagnostics); code != 0) return code;
   const Result<scene::Project> project = scene::find_project(arguments.scene.empty() ? "." : arguments.scene);
   if (!project && !arguments.scene.empty()) return report(console, project.diagnostics());
+  for (const scene::Scene& scene : loaded.scenes) {
+    const std::string path = output_of(arguments, scene, loaded.scenes.size() > 1);
+    if (overwrites_input(path, scene)) {
+      return report(console, {{.file = path, .message = "is what is rendered from: write to another file"}});
+    }
+  }
   Engine engine({.shader_library = console.shader_library,
                  .includes = project ? project->includes : std::vector<std::string>{},
                  .target = arguments.target,

@@ -10,6 +10,7 @@
 #include "report/report.h"
 #include "report/test_result_json.h"
 #include "scene/discover.h"
+#include "scene/project.h"
 #include "worker/pool.h"
 
 namespace gnomon::cli {
@@ -52,6 +53,15 @@ void add_tests(const std::vector<scene::Scene>& tests, const TestArguments& argu
   }
 }
 
+/// Whether the filters could let a test of this file through, whose matrix cannot be read: only its id before
+/// '@' is known.
+bool may_choose(std::vector<std::string> filters, const std::string& file) {
+  const Result<scene::Project> project = scene::find_project(file);
+  if (!project) return true;
+  for (std::string& filter : filters) filter.resize(std::min(filter.find('@'), filter.size()));
+  return scene::is_chosen(filters, scene::test_id(*project, file));
+}
+
 Planned plan(const std::vector<std::string>& files, const TestArguments& arguments, const scene::Shard& shard,
              const std::string& program) {
   Planned planned;
@@ -59,7 +69,9 @@ Planned plan(const std::vector<std::string>& files, const TestArguments& argumen
   std::map<std::string, std::string> file_of_id;
   for (const std::string& file : files) {
     const scene::LoadResult loaded = scene::load_scene(file, arguments.overrides, words);
-    if (!loaded.diagnostics.empty()) planned.invalid.push_back(invalid_scene(file, loaded.diagnostics));
+    if (!loaded.diagnostics.empty() && may_choose(arguments.filters, file)) {
+      planned.invalid.push_back(invalid_scene(file, loaded.diagnostics));
+    }
     add_tests(loaded.tests, arguments, shard, program, file_of_id, planned);
   }
   return planned;
@@ -94,7 +106,7 @@ int code_of(const std::vector<TestResult>& results) {
   return code;
 }
 
-TestResult result_of(const Request& request, const worker::Outcome& outcome) {
+TestResult result_of(const Request& request, const worker::Outcome& outcome, const TestArguments& arguments) {
   if (outcome.failure.empty()) {
     Result<TestResult> result = report::from_json(outcome.answer);
     if (result && result->id == request.id) return std::move(result).value();
@@ -104,6 +116,8 @@ TestResult result_of(const Request& request, const worker::Outcome& outcome) {
   result.scene_file = request.scene_file;
   result.status = Status::kFailed;
   result.error = outcome.failure.empty() ? "its worker gave no valid answer" : outcome.failure;
+  const RunOptions options{.flags = rendering_flags(arguments), .program = request.program};
+  result.reproduce = reproduce_command(request.scene_file, request.id, options);
   return result;
 }
 
@@ -127,7 +141,7 @@ TestRun run_tests(const std::vector<Request>& requests, const TestArguments& arg
           },
       .done =
           [&](std::size_t job, const worker::Outcome& outcome) {
-            results[job] = result_of(requests[job], outcome);
+            results[job] = result_of(requests[job], outcome, arguments);
             ++progress.finished;
             console.err << report::test_finished(progress, *results[job]) << std::flush;
           }};

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "scene/suggest.h"
+#include "terrain/height_map.h"
 
 namespace gnomon::scene {
 namespace {
@@ -56,9 +57,9 @@ InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& 
     }
     for (std::size_t j = 0; j < row.size(); ++j) {
       terrain.heights.push_back(row[j].number());
-      if (std::abs(row[j].number() * vertical_scale) <= std::numeric_limits<float>::max()) continue;
+      if (std::abs(row[j].number() * vertical_scale) <= terrain::kHighestHeight) continue;
       report.error(row[j].place, child(child(pointer, i), j),
-                   "the height is infinite in single precision; expected at most 3.4e38 m");
+                   "the height is too large for single precision; expected at most 1e15 m");
     }
   }
   return terrain;
@@ -283,7 +284,8 @@ Scene build_scene(const Value& root, const BuildContext& context, Report& report
     scene.camera.size = integer_pair(*size);
   scene.shadow = read_shadow(root.find("shadow"), context.vocabulary, report);
   const Value* expect = root.find("expect");
-  for (std::size_t i = 0; expect && i < expect->array().size(); ++i) {
+  const bool is_list = expect && expect->get_if<json::Array>();  // else reported with the shape
+  for (std::size_t i = 0; is_list && i < expect->array().size(); ++i) {
     scene.expect.push_back(
         read_expectation(expect->array()[i], child("/expect", i), context.vocabulary, report));
   }

@@ -171,10 +171,11 @@ TEST_F(Mistakes, InWrittenHeights) {
       "s.json:2:30: error: /terrain/heights/1: expected a list of 1 to 16384, each a number, got []. One row "
       "from west to east.");
   EXPECT_EQ(heights("[[1, null]]"), "s.json:2:29: error: /terrain/heights/0/1: expected a number, got null");
-  EXPECT_EQ(heights("[[1, 1e39]]"),
-            "s.json:2:29: error: /terrain/heights/0/1: the height is infinite in single precision; expected "
-            "at most "
-            "3.4e38 m");
+  EXPECT_EQ(
+      heights("[[1, 1e39]]"),
+      "s.json:2:29: error: /terrain/heights/0/1: the height is too large for single precision; expected "
+      "at most "
+      "1e15 m");
   EXPECT_EQ(heights("[[1, 1e999]]"),
             "s.json:2:29: error: invalid JSON: this number is too large for a double (above 1.8e308)");
 }

@@ -54,7 +54,9 @@ class Settler {
     }
     if (chosen != &target) report_mixed(target, *chosen, value, pointer, settled);
     settle_members(members_of(value), pointer, settled);
-    if (const json::Array* items = value.get_if<json::Array>()) settle_items(*items, pointer, settled);
+    // Something else than a list breaks the type; without items there is nothing left to settle.
+    const json::Array* items = value.get_if<json::Array>();
+    settle_items(items ? *items : json::Array{}, pointer, settled);
     return settled;
   }
 

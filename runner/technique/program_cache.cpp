@@ -2,6 +2,7 @@
 #include "technique/program_cache.h"
 
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "technique/hash.h"
@@ -11,6 +12,13 @@ Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
   const auto path = [&](const std::string& name) {
     return (std::filesystem::path(options_.library_directory) / name).lexically_normal().string();
   };
+  for (const char* needed : {"programs/fullscreen.vert", fragment.c_str()}) {
+    if (std::error_code error; std::filesystem::exists(path(needed), error)) continue;
+    return Diagnostic{.file = path(needed),
+                      .message = "missing: the shader library at " + options_.library_directory +
+                                 " is incomplete; install gnomon again, or build it from its source tree",
+                      .failure = Failure::kMachine};
+  }
   const Result<compiler::Assembled> vertex = compiler::build(path("programs/fullscreen.vert"), options_);
   if (!vertex) return vertex.diagnostics();
   const Result<compiler::Assembled> pixel = compiler::build(path(fragment), options_);

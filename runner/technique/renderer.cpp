@@ -37,7 +37,7 @@ Uniforms uniforms_of(const Pyramid& pyramid, const scene::Scene& scene, const Ma
           {"u_map_top_level", pyramid.top_level()},
           {"u_texels_per_pixel", view.texels_per_pixel * level_scale},
           {"u_receiver_height", static_cast<float>(scene.shadow.receiver_height)},
-          {"u_to_sun", glm::vec3(to_sun(scene.sun))},
+          {"u_to_sun", to_sun_single(scene.sun)},
           {"u_k", glm::vec2(scene.shadow.k_dark, scene.shadow.k_bright)},
           {"u_q", pyramid.q},
           {"u_step_limit", step_limit(pyramid)}};

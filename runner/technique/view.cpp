@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "technique/view.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,13 @@ glm::dvec3 to_sun(const scene::Sun& sun) {
   const double elevation = sun.elevation * std::numbers::pi / 180.0;
   const oracle::GroundDirection ground = oracle::ground_direction(sun.azimuth);
   return {ground.east * std::cos(elevation), ground.north * std::cos(elevation), std::sin(elevation)};
+}
+
+glm::vec3 to_sun_single(const scene::Sun& sun) {
+  constexpr float kSmallestHeight = 1e-30F;
+  glm::vec3 direction(to_sun(sun));
+  if (sun.elevation > 0) direction.z = std::max(direction.z, kSmallestHeight);
+  return direction;
 }
 
 MapView map_view(const scene::MapCamera& camera, const terrain::HeightMap& map) {

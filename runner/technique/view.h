@@ -13,6 +13,10 @@ namespace gnomon::technique {
 /// Unit vector towards the sun: x east, y north, z up. Exact on the axes, on the diagonals and at the zenith.
 [[nodiscard]] glm::dvec3 to_sun(const scene::Sun& sun);
 
+/// The same in single precision. A sun that stands above the plane stays above it: an elevation too small for
+/// a float becomes the smallest one.
+[[nodiscard]] glm::vec3 to_sun_single(const scene::Sun& sun);
+
 /// The map camera: pixel (x, y) looks at s = (x + 0.5) / width, t = (y + 0.5) / height of the map.
 struct MapView {
   glm::ivec2 size;             ///< pixels

@@ -7,9 +7,9 @@
 
 namespace gnomon::terrain {
 
-/// Largest absolute height that a map may have, metres: the sum of four still fits in a float, so every level
-/// is finite.
-constexpr double kHighestHeight = 8.5e37;
+/// Largest absolute height that a map may have, metres: beyond any world, and small enough for every level
+/// and every square of a slope to stay finite in single precision.
+constexpr double kHighestHeight = 1e15;
 
 /// A level of a height map (level 0 is the map itself). Sample (row i, column j) lies at column j + 0.5, row
 /// i + 0.5, in texels of this level from the west and the north edge. The surface is the bilinear

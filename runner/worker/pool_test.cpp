@@ -10,14 +10,13 @@ namespace {
 
 /// Workers are shells that answer each line with a letter before it, and do what special lines say.
 PoolOptions shell_workers(int workers) {
-  return {
-      .executable = "/bin/sh",
-      .arguments =
-          {"-c",
-           "while read line; do case $line in die) kill -SEGV $$;; quit) exit 3;; hang) exec sleep 60;; *) echo "
-           "a$line;; esac; done"},
-      .workers = workers,
-      .timeout = std::chrono::milliseconds(1500)};
+  return {.executable = "/bin/sh",
+          .arguments = {"-c",
+                        "while read line; do case $line in die) kill -SEGV $$;; quit) exit 3;; hang) exec "
+                        "sleep 60;; *) echo "
+                        "a$line;; esac; done"},
+          .workers = workers,
+          .timeout = std::chrono::milliseconds(1500)};
 }
 
 std::map<std::size_t, Outcome> run(const std::vector<std::string>& requests, int workers) {
