@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The relief modules as C++ functions, with host functions over a height map in memory: the very code that
 // the GPU runs, for unit tests. Everything is local to the file that includes this.
-#pragma once
+#ifndef GNOMON_TESTING_CPP_MODULES_H
+#define GNOMON_TESTING_CPP_MODULES_H
 
 #include <algorithm>
 #include <cstddef>
@@ -82,3 +83,5 @@ inline int step_limit(const GnomonMap& map) {
 }  // namespace
 
 #pragma GCC diagnostic pop
+
+#endif
