@@ -23,7 +23,12 @@ int report(const Diagnostics& diagnostics, cli::ErrorFormat format) {
 int build(const cli::Command& command) {
   const auto shader = compiler::build(command.files.front(), command.options);
   if (!shader) return report(shader.diagnostics(), command.error_format);
-  report(shader->warnings, command.error_format);
+  report(shader->source.warnings, command.error_format);
+  if (!command.reflection.empty()) {
+    const std::string json = compiler::to_json(shader->reflection);
+    const auto written = cli::write_beside(*shader, json, command.reflection);
+    if (!written) return report(written.diagnostics(), command.error_format);
+  }
   const auto written = cli::write(*shader, command.output);
   return written ? 0 : report(written.diagnostics(), command.error_format);
 }
@@ -32,7 +37,8 @@ int check(const cli::Command& command) {
   int code = 0;
   for (const std::string& file : command.files) {
     const auto shader = compiler::check(file, command.options);
-    code = std::max(code, report(shader ? shader->warnings : shader.diagnostics(), command.error_format));
+    code =
+        std::max(code, report(shader ? shader->source.warnings : shader.diagnostics(), command.error_format));
   }
   return code;
 }

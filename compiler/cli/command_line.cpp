@@ -36,6 +36,14 @@ std::string target_help() {
   return help;
 }
 
+std::vector<std::string> embeddable_names() {
+  std::vector<std::string> names;
+  for (const compiler::Target& target : compiler::targets()) {
+    if (target.format != compiler::Format::kHeader) names.push_back(target.name);
+  }
+  return names;
+}
+
 void add_compile_options(CLI::App& app, Typed& typed) {
   compiler::Options& options = typed.command.options;
   app.add_option("-I", options.include_directories, "Also look for included files in DIR")
@@ -87,12 +95,21 @@ CommandLine parse_command_line(int argc, const char* const* argv, const std::str
       "Exit codes: 0 all is well, 1 a shader does not compile, 2 wrong usage or unreadable FILE, 99 output "
       "not writable.");
 
-  CLI::App* build = app.add_subcommand("build", "Assemble a shader, validate it, and write it as one text");
+  CLI::App* build = app.add_subcommand("build", "Assemble a shader, validate it, and write it for a target");
   build->add_option("FILE", typed.command.files, "The shader, with its main()")
       ->required()
       ->expected(1)
       ->type_name("");
   build->add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
+  build->add_option("--reflect", typed.command.reflection, "Also write what the host has to bind, as JSON")
+      ->type_name("FILE");
+  build
+      ->add_option(
+          "--embed", typed.command.options.embedded,
+          "For the target header: a target whose output the header holds; glsl450 where none is given")
+      ->check(CLI::IsMember(embeddable_names()))
+      ->type_name("T")
+      ->allow_extra_args(false);
   add_compile_options(*build, typed);
 
   CLI::App* check = app.add_subcommand(

@@ -16,7 +16,8 @@ struct Command {
   Name name = Name::kList;
   std::vector<std::string> files;
   compiler::Options options;
-  std::string output;  ///< empty: standard output
+  std::string output;      ///< empty: standard output
+  std::string reflection;  ///< where the reflection goes; empty: nowhere
   ErrorFormat error_format = ErrorFormat::kGcc;
 };
 

@@ -9,6 +9,7 @@
 
 #include "gnomon/compiler/compiler.h"
 #include "origin.h"
+#include "refusal.h"
 #include "source_file.h"
 #include "text.h"
 
@@ -234,17 +235,11 @@ class Assembler {
   std::optional<Diagnostic> failure_;
 };
 
-Diagnostic unknown_target(const std::string& name) {
-  std::string known;
-  for (const Target& target : targets()) known += (known.empty() ? "" : ", ") + target.name;
-  return {.message = "unknown target \"" + name + "\": known are " + known};
-}
-
 }  // namespace
 
 Result<Assembled> assemble(const std::string& path, const Options& options) {
-  const auto target = std::ranges::find(targets(), options.target, &Target::name);
-  if (target == targets().end()) return unknown_target(options.target);
+  const Target* target = find_target(options.target);
+  if (target == nullptr) return unknown_target(options.target);
   return Assembler(options).run(path, *target);
 }
 

@@ -213,7 +213,10 @@ TEST_F(Assemble, UnreadableMainFileAndUnknownTargetAreInvalidInput) {
     EXPECT_EQ(assembled.diagnostics().front().failure, Failure::kInvalid);
   }
   options.target = "cobol";
-  EXPECT_EQ(error_of(tree.file("a.frag", "")), "error: unknown target \"cobol\": known are glsl450");
+  EXPECT_EQ(error_of(tree.file("a.frag", "")),
+            "error: unknown target \"cobol\": known are glsl450, glsl330, essl300, essl310, vulkan, opengl, "
+            "hlsl50, "
+            "msl21 and header");
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ TEST_F(Build, YieldsWhatWasAssembled) {
   const std::string path = tree.file("a.frag", "out vec4 color;\nvoid main() { color = vec4(1.0f); }");
   const auto built = build(path, options);
   ASSERT_TRUE(built);
-  EXPECT_EQ(built->text, assemble(path, options)->text);
-  EXPECT_TRUE(built->warnings.empty());
+  EXPECT_EQ(built->output, assemble(path, options)->text);
+  EXPECT_TRUE(built->source.warnings.empty());
 }
 
 TEST_F(Build, ErrorThreeIncludesDeep) {
@@ -129,8 +129,8 @@ TEST_F(Build, WarningsOfTheGlslCompilerAreLocated) {
   tree.file("b.glsl", "\n#extension GL_FOO_bar : enable\n");
   const auto built = build(tree.file("a.frag", "#include \"b.glsl\"\nvoid main() {}\n"), options);
   ASSERT_TRUE(built);
-  ASSERT_EQ(built->warnings.size(), 1u);
-  EXPECT_EQ(tree.relative(to_string(built->warnings.front())),
+  ASSERT_EQ(built->source.warnings.size(), 1u);
+  EXPECT_EQ(tree.relative(to_string(built->source.warnings.front())),
             "b.glsl:2: warning: #extension: extension not supported: GL_FOO_bar\n  included from a.frag:1");
 }
 

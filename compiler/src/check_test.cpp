@@ -14,7 +14,7 @@ class Check : public testing::Test {
   std::string error_in(const std::string& module) const { return error_of(tree.file("m.glsl", module)); }
   std::string text_for(const std::string& module) const {
     const auto checked = check(tree.file("m.glsl", module), options);
-    return checked ? checked->text : to_string(checked.diagnostics().front());
+    return checked ? checked->output : to_string(checked.diagnostics().front());
   }
 
   TemporaryTree tree;
@@ -122,7 +122,7 @@ TEST_F(Check, ModuleMayDeclareItsOwnOutputs) {
 TEST_F(Check, ShaderWithMainIsTakenAsItIs) {
   const std::string path = tree.file("a.frag", "void main() {}\n");
   ASSERT_TRUE(check(path, options));
-  EXPECT_EQ(check(path, options)->text, assemble(path, options)->text);
+  EXPECT_EQ(check(path, options)->output, assemble(path, options)->text);
   EXPECT_EQ(
       error_of(tree.file("b.frag", "float f();\nout float o;\nvoid main() { o = f(); }\n")),
       "b.frag:1: error: function 'f' is declared and called, but not defined: define it, or include the file "

@@ -81,10 +81,6 @@ class TypeReader {
   int scalars_ = 0;
 };
 
-Type read_type(const glslang::TType& from) {
-  return TypeReader().read(from);
-}
-
 Passing read_passing(glslang::TStorageQualifier qualifier) {
   switch (qualifier) {
     case glslang::EvqConstReadOnly:
@@ -147,10 +143,16 @@ bool has(const std::vector<Function>& functions, const Function& function) {
 
 }  // namespace
 
+Type read_type(const glslang::TType& type) {
+  return TypeReader().read(type);
+}
+
 void find_functions(TIntermNode& root, Shader& shader) {
   FunctionFinder finder;
   root.traverse(&finder);
   for (Function& call : finder.called) {
+    if (std::ranges::find(shader.called, call.name) == shader.called.end())
+      shader.called.push_back(call.name);
     if (!has(finder.defined, call) && !has(shader.undefined, call))
       shader.undefined.push_back(std::move(call));
   }

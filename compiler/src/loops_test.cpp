@@ -17,7 +17,7 @@ class Loops : public testing::Test {
                             loop + "\nreturn x;\n}\n"),
               options);
     EXPECT_TRUE(checked) << to_string(checked.diagnostics().front());
-    return checked && checked->warnings.empty();
+    return checked && checked->source.warnings.empty();
   }
 
   TemporaryTree tree;
@@ -88,8 +88,9 @@ TEST_F(Loops, ErrorInTheLibraryWarningElsewhereAtItsLine) {
 
   const auto passed = check(tree.file("librarian/m.glsl", module), options);
   ASSERT_TRUE(passed);
-  ASSERT_EQ(passed->warnings.size(), 1u);
-  EXPECT_EQ(tree.relative(to_string(passed->warnings.front())), "librarian/m.glsl:3: warning: " + text);
+  ASSERT_EQ(passed->source.warnings.size(), 1u);
+  EXPECT_EQ(tree.relative(to_string(passed->source.warnings.front())),
+            "librarian/m.glsl:3: warning: " + text);
 
   const auto user = build(tree.file("a.frag", "#include <gnomon/relief/m.glsl>\nvoid main() {}\n"), options);
   ASSERT_FALSE(user);

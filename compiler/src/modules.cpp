@@ -61,18 +61,24 @@ std::vector<fs::path> find_files(const fs::path& library, std::error_code& error
 
 }  // namespace
 
+Result<Module> read_module(const std::string& path) {
+  Module module{.name = {}, .path = path, .summary = {}, .source = {}, .host = {}, .options = {}};
+  std::ifstream file(path);
+  read_header(file, module);
+  if (!file.is_open() || file.bad()) return unreadable(path, "module");
+  return module;
+}
+
 Result<std::vector<Module>> list_modules(const std::string& library_directory) {
   std::error_code error;
   const auto names = find_files(library_directory, error);
   if (error) return unreadable(library_directory, "shader library: " + error.message());
   std::vector<Module> modules;
   for (const fs::path& name : names) {
-    Module module{.name = fs::path(name).replace_extension().generic_string(),
-                  .path = (fs::path(library_directory) / name).string()};
-    std::ifstream file(module.path);
-    read_header(file, module);
-    if (!file.is_open() || file.bad()) return unreadable(module.path, "module");
-    modules.push_back(std::move(module));
+    Result<Module> module = read_module((fs::path(library_directory) / name).string());
+    if (!module) return module.diagnostics();
+    module->name = fs::path(name).replace_extension().generic_string();
+    modules.push_back(std::move(module).value());
   }
   std::ranges::sort(modules, {}, &Module::name);
   return modules;

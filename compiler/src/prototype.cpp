@@ -8,17 +8,6 @@
 namespace gnomon::compiler {
 namespace {
 
-std::string strip_comments(std::string_view text) {
-  std::string code;
-  bool in_comment = false;
-  while (!text.empty()) {
-    const size_t length = std::min(text.find('\n'), text.size());
-    code += without_comments(text.substr(0, length), in_comment) + '\n';
-    text.remove_prefix(std::min(length + 1, text.size()));
-  }
-  return code;
-}
-
 // A call stands behind an operator or behind one of these words, a prototype behind the name of a type.
 bool ends_in_type(std::string_view before) {
   before = trim(before);
@@ -37,7 +26,7 @@ bool begins_with_parameters_only(std::string_view after) {
 }  // namespace
 
 int line_of_prototype(std::string_view text, const std::string& name) {
-  const std::string code = strip_comments(text);
+  const std::string code = blank_comments(text);
   const std::string_view view = code;
   for (size_t at = view.find(name); at != view.npos; at = view.find(name, at + name.size())) {
     const std::string_view before = view.substr(0, at);

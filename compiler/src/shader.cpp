@@ -5,6 +5,7 @@
 #include <glslang/MachineIndependent/localintermediate.h>
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/Public/ShaderLang.h>
+#include <glslang/SPIRV/GlslangToSpv.h>
 
 #include <algorithm>
 #include <string_view>
@@ -36,6 +37,32 @@ EShLanguage language_of(Stage stage) {
       break;
   }
   return EShLangFragment;
+}
+
+// Uniforms outside of blocks, bindings and locations may be left open in the source: glslang fills them in.
+EShMessages set_rules(glslang::TShader& unit, Stage stage, Rules rules) {
+  // For plain OpenGL none of this may be called: it makes glslang accept less.
+  if (rules == Rules::kOpenGl) return EShMsgDefault;
+  const bool vulkan = rules == Rules::kVulkan;
+  const glslang::EShClient client = vulkan ? glslang::EShClientVulkan : glslang::EShClientOpenGL;
+  unit.setEnvInput(glslang::EShSourceGlsl, language_of(stage), client, 100);
+  unit.setEnvClient(client, vulkan ? glslang::EShTargetVulkan_1_0 : glslang::EShTargetOpenGL_450);
+  unit.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+  unit.setAutoMapBindings(true);
+  unit.setAutoMapLocations(true);
+  if (!vulkan) return EShMsgSpvRules;
+  unit.setEnvInputVulkanRulesRelaxed();
+  unit.setGlobalUniformBlockName("gnomon_uniforms");
+  return static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
+}
+
+std::vector<std::uint32_t> to_spirv(const glslang::TProgram& program, Stage stage) {
+  std::vector<std::uint32_t> words;
+  glslang::SpvOptions options;
+  options.disableOptimizer = true;  // it would fold sums of floats
+  spv::SpvBuildLogger ignored;      // what it says of valid shaders concerns SPIR-V extensions only
+  glslang::GlslangToSpv(*program.getIntermediate(language_of(stage)), words, &ignored, &options);
+  return words;
 }
 
 int line_of(const std::vector<Function>& functions, std::string_view name) {
@@ -80,16 +107,17 @@ Message read_link_log(std::string_view log, const std::string& text, const Shade
 
 }  // namespace
 
-Shader compile(const std::string& text, Stage stage) {
+Shader compile(const std::string& text, Stage stage, const Target& target) {
   initialize_glslang();
   glslang::TShader unit(language_of(stage));
   const char* const strings[] = {text.data()};
   const int lengths[] = {static_cast<int>(text.size())};
   unit.setStringsWithLengths(strings, lengths, 1);
+  const EShMessages messages = set_rules(unit, stage, target.rules);
 
   constexpr int kVersionWithoutDirective = 110;  // never used: the text has a #version
   Shader shader;
-  const bool parsed = unit.parse(GetDefaultResources(), kVersionWithoutDirective, false, EShMsgDefault);
+  const bool parsed = unit.parse(GetDefaultResources(), kVersionWithoutDirective, false, messages);
   Log log = read_log(unit.getInfoLog());
   shader.warnings = std::move(log.warnings);
   if (!parsed) {
@@ -103,7 +131,13 @@ Shader compile(const std::string& text, Stage stage) {
   if (!shader.has_main) return shader;
   glslang::TProgram program;
   program.addShader(&unit);
-  if (!program.link(EShMsgDefault)) shader.error = read_link_log(program.getInfoLog(), text, shader);
+  const bool linked = program.link(messages) && (target.rules == Rules::kOpenGl || program.mapIO());
+  if (!linked) {
+    shader.error = read_link_log(program.getInfoLog(), text, shader);
+    return shader;
+  }
+  shader.interface = read_interface(program, stage, target);
+  if (target.rules != Rules::kOpenGl) shader.spirv = to_spirv(program, stage);
   return shader;
 }
 

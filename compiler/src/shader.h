@@ -2,6 +2,7 @@
 // What the GLSL compiler found out about one text, as plain data.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -56,10 +57,13 @@ struct Shader {
   bool has_main = false;             ///< a text without main is compiled but not linked
   std::vector<Function> defined;     ///< in the order of the text, main excepted
   std::vector<Function> undefined;   ///< called, but declared only
+  std::vector<std::string> called;   ///< names of functions of the text, in the order of their first calls
   std::vector<int> unbounded_loops;  ///< lines, see build()
+  Reflection interface;              ///< what glslang knows of it, for a text with main
+  std::vector<std::uint32_t> spirv;  ///< for a text with main and a target with rules for SPIR-V
 };
 
-/// Parses and links `text` (which has its #version) with glslang.
-[[nodiscard]] Shader compile(const std::string& text, Stage stage);
+/// Parses and links `text` (which has its #version) with glslang, by the rules of the target.
+[[nodiscard]] Shader compile(const std::string& text, Stage stage, const Target& target);
 
 }  // namespace gnomon::compiler

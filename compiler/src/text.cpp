@@ -33,6 +33,31 @@ size_t first_bad_byte(std::string_view text) {
   return at;
 }
 
+std::string blank_comments(std::string_view text) {
+  enum class In { kCode, kLine, kBlock, kQuotes } in = In::kCode;
+  std::string code(text);
+  for (size_t i = 0; i < text.size(); ++i) {
+    const std::string_view two = text.substr(i, 2);
+    if (text[i] == '\n' && in != In::kBlock) in = In::kCode;
+    if (in == In::kCode && text[i] == '"') {
+      in = In::kQuotes;
+    } else if (in == In::kQuotes && text[i] == '"') {
+      in = In::kCode;
+    } else if (in == In::kCode && (two == "//" || two == "/*")) {
+      in = two == "//" ? In::kLine : In::kBlock;
+      code[i++] = ' ';
+      code[i] = ' ';
+    } else if (in == In::kBlock && two == "*/") {
+      in = In::kCode;
+      code[i++] = ' ';
+      code[i] = ' ';
+    } else if ((in == In::kLine || in == In::kBlock) && text[i] != '\n') {
+      code[i] = ' ';
+    }
+  }
+  return code;
+}
+
 std::string without_comments(std::string_view line, bool& in_comment) {
   std::string code;
   bool in_quotes = false;  // of #include "a//b.glsl"

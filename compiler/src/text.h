@@ -40,6 +40,9 @@ namespace gnomon::compiler {
 /// line.
 [[nodiscard]] std::string without_comments(std::string_view line, bool& in_comment);
 
+/// `text` with each character of a comment, but for line feeds, replaced by a blank: positions stay the same.
+[[nodiscard]] std::string blank_comments(std::string_view text);
+
 /// Where `text` stops being UTF-8 text without NUL characters; text.size() where it never does.
 [[nodiscard]] size_t first_bad_byte(std::string_view text);
 

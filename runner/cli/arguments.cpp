@@ -100,7 +100,9 @@ void add_backend(CLI::App* app, Backend& backend, std::string& target) {
   add_choice(app, "--backend", backend, kBackends,
              "auto: EGL; egl: surfaceless EGL; cpu: the oracle, no GL. Default auto");
   std::vector<std::string> names;
-  for (const compiler::Target& t : compiler::targets()) names.push_back(t.name);
+  for (const compiler::Target& t : compiler::targets()) {
+    if (t.format == compiler::Format::kGlsl) names.push_back(t.name);
+  }
   app->add_option("--target", target, "dialect that the modules are assembled in. Default glsl450")
       ->type_name("DIALECT")
       ->check(CLI::IsMember(names));

@@ -19,14 +19,14 @@ Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
                                  " is incomplete; install gnomon again, or build it from its source tree",
                       .failure = Failure::kMachine};
   }
-  const Result<compiler::Assembled> vertex = compiler::build(path("programs/fullscreen.vert"), options_);
+  const Result<compiler::Compiled> vertex = compiler::build(path("programs/fullscreen.vert"), options_);
   if (!vertex) return vertex.diagnostics();
-  const Result<compiler::Assembled> pixel = compiler::build(path(fragment), options_);
+  const Result<compiler::Compiled> pixel = compiler::build(path(fragment), options_);
   if (!pixel) return pixel.diagnostics();
-  Result<gl::Program> program = gl::Program::link(fragment, vertex->text, pixel->text);
+  Result<gl::Program> program = gl::Program::link(fragment, vertex->output, pixel->output);
   if (!program) return program.diagnostics();
-  return CachedProgram{std::move(program).value(), hash_text(pixel->text),
-                       hash_text(vertex->text + pixel->text)};
+  return CachedProgram{std::move(program).value(), hash_text(pixel->output),
+                       hash_text(vertex->output + pixel->output)};
 }
 
 Result<const CachedProgram*> ProgramCache::get(const std::string& fragment) {

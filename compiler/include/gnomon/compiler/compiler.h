@@ -8,29 +8,38 @@
 #include <string_view>
 #include <vector>
 
+#include "gnomon/compiler/reflection.h"
+#include "gnomon/compiler/stage.h"
 #include "gnomon/diagnostic.h"
 
 namespace gnomon::compiler {
 
-enum class Stage { kVertex, kFragment, kGeometry, kCompute };
-
-/// A stage and how people name it. A new stage is one row of the table in src/target.cpp.
-struct StageName {
-  Stage stage;
-  std::string name;  ///< "frag": the value of --stage and, after a dot, the file's extension
+/// What a target's output is.
+enum class Format {
+  kGlsl,    ///< the assembled text itself
+  kSpirv,   ///< words of 32 bits, in the byte order of the machine
+  kHlsl,    ///< text by SPIRV-Cross
+  kMsl,     ///< text by SPIRV-Cross
+  kHeader,  ///< a C++ header that holds the outputs of other targets
 };
-[[nodiscard]] const std::vector<StageName>& stages();
 
-/// The stage by extension (.vert .frag .geom .comp), none for other files.
-[[nodiscard]] std::optional<Stage> stage_of(const std::string& path);
+/// Whose rules the text has to keep, beside those of its #version.
+enum class Rules { kOpenGl, kOpenGlSpirv, kVulkan };
 
 /// The dialects and formats that `build` writes. A new target is one row of the table in src/target.cpp.
 struct Target {
-  std::string name;          ///< "glsl450"
-  std::string version_line;  ///< "#version 450 core"
-  std::string description;   ///< one sentence, for --help
+  std::string name;           ///< "glsl450"
+  std::string version_line;   ///< "#version 450 core": of the text that is validated
+  std::string description;    ///< one sentence, for --help
+  Format format;              ///< what `build` yields
+  Rules rules;                ///< what glslang validates the text for
+  std::vector<Stage> stages;  ///< that the target has
+  bool binds_by_name;  ///< it lacks `binding`, and `location` but for vertex inputs and fragment outputs
 };
 [[nodiscard]] const std::vector<Target>& targets();
+
+/// The target of that name, or null.
+[[nodiscard]] const Target* find_target(const std::string& name);
 
 struct Define {
   std::string name;
@@ -46,6 +55,8 @@ struct Options {
   std::vector<std::string> include_directories;  ///< -I, in order
   std::vector<Define> defines;                   ///< -D, in order; from parse_define
   std::string target = "glsl450";
+  std::vector<std::string> embedded = {
+      "glsl450"};              ///< of target "header": the targets whose outputs it holds
   std::optional<Stage> stage;  ///< absent: from the file's extension
 };
 
@@ -91,9 +102,25 @@ struct Assembled {
 /// include, a cycle, an unterminated conditional or comment, bytes that are not UTF-8 text.
 [[nodiscard]] Result<Assembled> assemble(const std::string& path, const Options& options);
 
-/// assemble + validation by glslang for the target. Fails (kFailed) with one clean first error at its
-/// original file and line, the include chain in the notes. A file without main() is kInvalid ("use gnomonc
-/// check"), so is one whose stage neither its extension nor the options tell.
+/// What a shader became for one target.
+struct Compiled {
+  Assembled source;               ///< the text that was validated; for HLSL and MSL what they were made from
+  std::string output;             ///< text, or the bytes of SPIR-V
+  Format format = Format::kGlsl;  ///< of the output
+  Reflection reflection;          ///< of target "header": that of the first embedded target
+};
+
+/// Assembles the shader for the target, has glslang validate it, and makes the target's output of it. No pass
+/// changes the order of an operation on floats. Fails (kFailed) with one clean first error at its original
+/// file and line, the include chain in the notes; where other targets take what this one refuses, the message
+/// names them. A file without main() is kInvalid ("use gnomonc check"), so is one whose stage neither its
+/// extension nor the options tell.
+///
+/// What the text of a target lacks is taken out of its layout qualifiers: `set` outside of Vulkan, `binding`
+/// and the `location` of uniforms and of varyings in GLSL 3.30 and ESSL 3.00, where the host binds by name.
+/// ESSL gets `precision highp` for every type that has a precision. SPIR-V, HLSL and MSL get the bindings and
+/// locations that the source does not give; for Vulkan, HLSL and MSL uniforms outside of blocks become the
+/// block `gnomon_uniforms`.
 ///
 /// A loop without a bound is an error in a file below the library directory, a warning elsewhere. Bounded is
 /// a `for`
@@ -104,14 +131,13 @@ struct Assembled {
 /// and that
 ///   calls no function of the shader; other conditions may be joined to the comparison by &&.
 /// Every `while` and `do` counts as unbounded. What a called function does to globals is not followed.
-[[nodiscard]] Result<Assembled> build(const std::string& path, const Options& options);
+[[nodiscard]] Result<Compiled> build(const std::string& path, const Options& options);
 
 /// Like build, but also takes a file without main(), a module, alone (as a fragment shader where nothing
 /// tells the stage): a generated entry point calls every function that it and its includes define, with
 /// arguments that the compiler cannot know, and uses every result, so that nothing is dropped as unused;
-/// functions that are declared but not defined (the host's) get a body. The result is the text that was
-/// validated.
-[[nodiscard]] Result<Assembled> check(const std::string& path, const Options& options);
+/// functions that are declared but not defined (the host's) get a body.
+[[nodiscard]] Result<Compiled> check(const std::string& path, const Options& options);
 
 /// The version of glslang that validates, such as "12.0.0".
 [[nodiscard]] std::string glslang_version();

@@ -19,9 +19,13 @@ struct Module {
   std::string options;  ///< macros that change it, with defaults
 };
 
-/// Every *.glsl below the directory but for programs/, sorted by name. A field is `// key: text` in the
-/// comment that the file begins with; a line of it that starts with two or more blanks and no key continues
-/// the field before. Fails (kInvalid) where the directory or a file cannot be read.
+/// The fields of one file's header; its name stays empty. A field is `// key: text` in the comment that the
+/// file begins with; a line of it that starts with two or more blanks and no key continues the field before.
+/// Fails (kInvalid) where the file cannot be read.
+[[nodiscard]] Result<Module> read_module(const std::string& path);
+
+/// Every *.glsl below the directory but for programs/, sorted by name. Fails (kInvalid) where the directory
+/// or a file cannot be read.
 [[nodiscard]] Result<std::vector<Module>> list_modules(const std::string& library_directory);
 
 /// One line a module: name, summary and source in columns.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// What the text of a target says otherwise than the source.
+#include "gnomon/compiler/compiler.h"
+#include "temporary_tree.h"
+
+namespace gnomon::compiler {
+namespace {
+
+class Dialect : public testing::Test {
+ protected:
+  // The second line of `source` in the target's text; the first is the version.
+  std::string line_for(const std::string& target, const std::string& name, const std::string& source) {
+    options.target = target;
+    const auto built = build(tree.file(name, source), options);
+    if (!built) return to_string(built.diagnostics().front());
+    std::string text = built->output;
+    text.erase(0, text.find('\n') + 1);
+    if (text.starts_with("precision")) text.erase(0, text.find('\n') + 1);
+    return text.substr(0, text.find('\n'));
+  }
+
+  TemporaryTree tree;
+  Options options{.library_directory = tree.path("library")};
+};
+
+TEST_F(Dialect, BindingsAndLocationsGoWhereTheTargetBindsByName) {
+  const std::string sampler =
+      "layout(binding = 3) uniform sampler2D a; out vec4 o; void main() { o = texture(a, vec2(0)); }";
+  EXPECT_EQ(line_for("glsl450", "a.frag", sampler), sampler);
+  EXPECT_EQ(line_for("essl310", "a.frag", sampler), sampler);
+  const std::string bare =
+      "                    uniform sampler2D a; out vec4 o; void main() { o = texture(a, vec2(0)); }";
+  EXPECT_EQ(line_for("glsl330", "a.frag", sampler), bare);
+  EXPECT_EQ(line_for("essl300", "a.frag", sampler), bare);
+}
+
+TEST_F(Dialect, LocationsStayAtTheEndsOfThePipeline) {
+  EXPECT_EQ(
+      line_for("glsl330", "a.vert",
+               "layout(location = 1) in vec4 a; layout(location = 0) out vec4 b; void main() { b = a; }"),
+      "layout(location = 1) in vec4 a;                      out vec4 b; void main() { b = a; }");
+  EXPECT_EQ(
+      line_for("essl300", "a.frag",
+               "layout(location = 1) in vec4 a; layout(location = 0) out vec4 b; void main() { b = a; }"),
+      "                     in vec4 a; layout(location = 0) out vec4 b; void main() { b = a; }");
+  EXPECT_EQ(
+      line_for("glsl330", "b.frag", "in layout(location = 1) vec4 a; out vec4 b; void main() { b = a; }"),
+      "in                      vec4 a; out vec4 b; void main() { b = a; }");
+}
+
+TEST_F(Dialect, OtherQualifiersStay) {
+  const std::string rest = " uniform B { vec4 a; }; out vec4 o; void main() { o = a; }";
+  EXPECT_EQ(line_for("glsl330", "a.frag", "layout(binding = (1), std140)" + rest),
+            "layout(               std140)" + rest);
+  EXPECT_EQ(line_for("glsl330", "a.frag", "layout(std140, binding = 1)" + rest),
+            "layout(std140             )" + rest);
+  EXPECT_EQ(line_for("glsl330", "a.frag", "layout(set=0,std140,binding=1,row_major)" + rest),
+            "layout(      std140,          row_major)" + rest);
+  EXPECT_EQ(line_for("glsl450", "a.frag", "layout(set = 0, std140)" + rest),
+            "layout(         std140)" + rest);
+}
+
+TEST_F(Dialect, CommentsAndOtherWordsStay) {
+  const std::string line =
+      "/* layout(binding = 1) */ out vec4 my_layout; void main() { my_layout = vec4(1.0); } // layout(set = "
+      "1)";
+  EXPECT_EQ(line_for("glsl330", "a.frag", line), line);
+}
+
+TEST_F(Dialect, EsslHasHighPrecisionAfterExtensionsAndOutsideOfConditionals) {
+  options.target = "essl300";
+  const auto built = build(
+      tree.file("a.frag",
+                "#ifdef GL_EXT_nothing\n#extension GL_EXT_nothing : enable\n#endif\n"
+                "#ifdef NEVER\nfloat never;\n#endif\n"
+                "uniform sampler2DArray a;\nout vec4 o;\nvoid main() {\n  o = texture(a, vec3(0));\n}\n"),
+      options);
+  ASSERT_TRUE(built) << to_string(built.diagnostics().front());
+  const std::string& text = built->output;
+  EXPECT_LT(text.find("#endif"), text.find("precision highp float;"));
+  EXPECT_LT(text.find("precision highp sampler2DArray;"), text.find("#ifdef NEVER"));
+}
+
+TEST_F(Dialect, AnErrorBehindThePrecisionsIsAtItsOwnLine) {
+  options.target = "essl300";
+  const auto built =
+      build(tree.file("a.frag", "#extension GL_EXT_nothing : enable\nvoid main() {\n  x = 1;\n}\n"), options);
+  ASSERT_FALSE(built);
+  EXPECT_EQ(tree.relative(to_string(built.diagnostics().front())),
+            "a.frag:3: error: 'x': undeclared identifier");
+}
+
+}  // namespace
+}  // namespace gnomon::compiler

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A compiled shader as a C++ header.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gnomon/compiler/compiler.h"
+
+namespace gnomon::compiler {
+
+/// A C++17 header, self-contained: namespace gnomon_shaders::<name of the file>, in it a namespace for each
+/// target with its output (`source`, or `spirv` as words) and its reflection as constants.
+[[nodiscard]] std::string header_text(const std::string& path, const std::vector<Compiled>& embedded);
+
+}  // namespace gnomon::compiler

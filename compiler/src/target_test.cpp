@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// What each target makes of a shader, and what it refuses.
+#include <cstring>
+
+#include "gnomon/compiler/compiler.h"
+#include "temporary_tree.h"
+
+namespace gnomon::compiler {
+namespace {
+
+class Targets : public testing::Test {
+ protected:
+  Result<Compiled> made(const std::string& target, const std::string& name, const std::string& source) {
+    options.target = target;
+    return build(tree.file(name, source), options);
+  }
+  std::string error(const std::string& target, const std::string& name, const std::string& source) {
+    const auto built = made(target, name, source);
+    return built ? "no error" : tree.relative(to_string(built.diagnostics().front()));
+  }
+
+  TemporaryTree tree;
+  Options options{.library_directory = tree.path("library")};
+};
+
+constexpr const char* kLoose =
+    "uniform float a;\nuniform sampler2D b;\nin vec2 c;\nout vec4 o;\n"
+    "void main() {\n  o = (a + 0.1) - a + texture(b, c);\n}\n";
+
+TEST_F(Targets, EachMakesItsOwnFormat) {
+  for (const char* name : {"glsl450", "glsl330", "essl300", "essl310"}) {
+    const auto built = made(name, "a.frag", kLoose);
+    ASSERT_TRUE(built) << to_string(built.diagnostics().front());
+    EXPECT_TRUE(built->output.starts_with(find_target(name)->version_line + "\n")) << built->output;
+    EXPECT_FALSE(built->reflection.spirv_size.has_value());
+  }
+  for (const char* name : {"vulkan", "opengl"}) {
+    const auto built = made(name, "a.frag", kLoose);
+    ASSERT_TRUE(built) << to_string(built.diagnostics().front());
+    std::uint32_t magic = 0;
+    std::memcpy(&magic, built->output.data(), sizeof magic);
+    EXPECT_EQ(magic, 0x07230203u);
+    EXPECT_EQ(built->reflection.spirv_size, built->output.size());
+  }
+  EXPECT_NE(made("hlsl50", "a.frag", kLoose)->output.find("cbuffer gnomon_uniforms"), std::string::npos);
+  EXPECT_NE(made("msl21", "a.frag", kLoose)->output.find("#include <metal_stdlib>"), std::string::npos);
+}
+
+// (a + 0.1) - a is 0.1 to an optimiser, and is not in floats.
+TEST_F(Targets, SumsStayAsWritten) {
+  for (const char* name : {"hlsl50", "msl21"})
+    EXPECT_NE(made(name, "a.frag", kLoose)->output.find("a + 0.1"), std::string::npos) << name;
+}
+
+TEST_F(Targets, ComputeIsRefusedWhereThereIsNone) {
+  const std::string source = "#version 450\n\nlayout(local_size_x = 8) in;\nvoid main() {}\n";
+  EXPECT_EQ(error("essl300", "a.comp", source),
+            "a.comp:3: error: compute shaders: the target essl300 has none; refused for the target essl300, "
+            "taken by "
+            "glsl450, essl310, vulkan, opengl, hlsl50 and msl21");
+  EXPECT_EQ(error("essl310", "a.comp", source), "no error");
+}
+
+TEST_F(Targets, GatherIsRefusedWhereThereIsNone) {
+  const std::string source =
+      "uniform sampler2D a;\nout vec4 o;\nvoid main() {\n  o = textureGather(a, vec2(0.5));\n}\n";
+  EXPECT_EQ(error("glsl330", "a.frag", source),
+            "a.frag:4: error: 'textureGather(...)': not supported for this version or the enabled "
+            "extensions; refused for the target "
+            "glsl330, "
+            "taken by glsl450, essl310, vulkan, opengl, hlsl50 and msl21");
+}
+
+TEST_F(Targets, GeometryShadersAreRefusedWhereThereAreNone) {
+  const std::string source =
+      "layout(points) in;\nlayout(points, max_vertices = 1) out;\nvoid main() {\n  gl_Position = "
+      "vec4(0.0);\n  "
+      "EmitVertex();\n}\n";
+  EXPECT_EQ(
+      error("msl21", "a.geom", source),
+      "a.geom:2: error: geometry shaders: the target msl21 has none; refused for the target msl21, taken by "
+      "glsl450, glsl330, vulkan and opengl");
+}
+
+TEST_F(Targets, AMistakeIsNoLackOfTheTarget) {
+  for (const Target& target : targets())
+    EXPECT_EQ(error(target.name, "a.frag", "void main() {\n  x = 1;\n}\n"),
+              "a.frag:2: error: 'x': undeclared identifier");
+}
+
+TEST_F(Targets, ASecondWayIsTakenByItself) {
+  const std::string source =
+      "uniform sampler2D a;\nout vec4 o;\nvoid main() {\n#if __VERSION__ >= 400 || (defined(GL_ES) && "
+      "__VERSION__ >= 310)\n"
+      "  o = textureGather(a, vec2(0.5));\n#else\n  o = texture(a, vec2(0.5));\n#endif\n}\n";
+  for (const Target& target : targets())
+    EXPECT_EQ(error(target.name, "a.frag", source), "no error") << target.name;
+}
+
+}  // namespace
+}  // namespace gnomon::compiler
