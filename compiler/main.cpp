@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/command_line.h"
+#include "cli/modules_header.h"
 #include "cli/output.h"
 #include "gnomon/compiler/modules.h"
 #include "gnomon/library_location.h"
@@ -43,6 +44,11 @@ int check(const cli::Command& command) {
   return code;
 }
 
+int cpp(const cli::Command& command) {
+  const auto written = cli::write_cpp(command);
+  return written ? 0 : report(written.diagnostics(), command.error_format);
+}
+
 int list(const cli::Command& command) {
   const auto modules = compiler::list_modules(command.options.library_directory);
   const Result<Done> printed = modules ? cli::print(compiler::to_table(*modules)) : modules.diagnostics();
@@ -62,6 +68,8 @@ int main(int argc, char** argv) {
       return build(*line.command);
     case cli::Command::Name::kCheck:
       return check(*line.command);
+    case cli::Command::Name::kCpp:
+      return cpp(*line.command);
     case cli::Command::Name::kList:
       break;
   }

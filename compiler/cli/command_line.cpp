@@ -44,7 +44,7 @@ std::vector<std::string> embeddable_names() {
   return names;
 }
 
-void add_compile_options(CLI::App& app, Typed& typed) {
+void add_source_options(CLI::App& app, Typed& typed) {
   compiler::Options& options = typed.command.options;
   app.add_option("-I", options.include_directories, "Also look for included files in DIR")
       ->type_name("DIR")
@@ -52,16 +52,20 @@ void add_compile_options(CLI::App& app, Typed& typed) {
   app.add_option("-D", typed.defines, "Define a macro, as 1 where no value is given")
       ->type_name("NAME[=VALUE]")
       ->allow_extra_args(false);
-  app.add_option("--target", options.target, target_help())
+  app.add_option("--errfmt", typed.error_format,
+                 "PATH:LINE: error: TEXT (gcc, the default) or PATH(LINE): error: TEXT (msvc)")
+      ->check(CLI::IsMember({"gcc", "msvc"}))
+      ->type_name("FORMAT");
+}
+
+void add_compile_options(CLI::App& app, Typed& typed) {
+  add_source_options(app, typed);
+  app.add_option("--target", typed.command.options.target, target_help())
       ->check(CLI::IsMember(target_names()))
       ->type_name("T");
   app.add_option("--stage", typed.stage, "Shader stage, where the file's extension does not tell it")
       ->check(CLI::IsMember(stage_names()))
       ->type_name("S");
-  app.add_option("--errfmt", typed.error_format,
-                 "PATH:LINE: error: TEXT (gcc, the default) or PATH(LINE): error: TEXT (msvc)")
-      ->check(CLI::IsMember({"gcc", "msvc"}))
-      ->type_name("FORMAT");
 }
 
 CommandLine finish(Typed typed) {
@@ -117,6 +121,13 @@ CommandLine parse_command_line(int argc, const char* const* argv, const std::str
   check->add_option("FILE", typed.command.files, "Shaders and modules")->required()->type_name("");
   add_compile_options(*check, typed);
 
+  CLI::App* cpp = app.add_subcommand("cpp", "Write modules as one C++ header, for GLM");
+  cpp->add_option("FILE", typed.command.files,
+                  "Modules; every one of the library but for hosts where none is given")
+      ->type_name("");
+  cpp->add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
+  add_source_options(*cpp, typed);
+
   CLI::App* list = app.add_subcommand("list", "The library's modules, one line each: name, summary, source");
 
   try {
@@ -127,7 +138,8 @@ CommandLine parse_command_line(int argc, const char* const* argv, const std::str
     return {
         .command = {}, .text = text.str(), .exit_code = is_failure ? static_cast<int>(Failure::kInvalid) : 0};
   }
-  typed.command.name = *build ? Command::Name::kBuild : *list ? Command::Name::kList : Command::Name::kCheck;
+  using enum Command::Name;
+  typed.command.name = *build ? kBuild : *cpp ? kCpp : *list ? kList : kCheck;
   return finish(std::move(typed));
 }
 

@@ -12,7 +12,7 @@
 namespace gnomon::cli {
 
 struct Command {
-  enum class Name { kBuild, kCheck, kList };
+  enum class Name { kBuild, kCheck, kCpp, kList };
   Name name = Name::kList;
   std::vector<std::string> files;
   compiler::Options options;

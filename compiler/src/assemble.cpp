@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "assemble.h"
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -77,13 +79,10 @@ class Assembler {
  public:
   explicit Assembler(const Options& options) : options_(options) {}
 
-  Result<Assembled> run(const std::string& path, const Target& target) {
-    auto bytes = read_bytes(path);
-    if (!bytes)
-      return Diagnostic{.file = path, .message = "cannot read the file: check the path and its permissions"};
+  Result<Assembled> run(const std::string& path, std::string bytes, const Target& target) {
     result_.files.push_back(path);
     result_.inclusions.emplace_back();
-    if (!scan_last_file(*std::move(bytes))) return *std::move(failure_);
+    if (!scan_last_file(std::move(bytes))) return *std::move(failure_);
     begin(target.version_line);
     if (!inline_file(0, false)) return *std::move(failure_);
     return std::move(result_);
@@ -240,7 +239,18 @@ class Assembler {
 Result<Assembled> assemble(const std::string& path, const Options& options) {
   const Target* target = find_target(options.target);
   if (target == nullptr) return unknown_target(options.target);
-  return Assembler(options).run(path, *target);
+  auto bytes = read_bytes(path);
+  if (!bytes)
+    return Diagnostic{.file = path, .message = "cannot read the file: check the path and its permissions"};
+  return Assembler(options).run(path, *std::move(bytes), *target);
+}
+
+Result<Assembled> assemble_all(const std::vector<std::string>& paths, const Options& options) {
+  const Target* target = find_target(options.target);
+  if (target == nullptr) return unknown_target(options.target);
+  std::string includes;
+  for (const std::string& path : paths) includes += "#include \"" + path + "\"\n";
+  return Assembler(options).run({}, includes, *target);
 }
 
 }  // namespace gnomon::compiler

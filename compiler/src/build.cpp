@@ -110,9 +110,12 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
   options.target = target.name;
   Result<Assembled> assembled = assemble(request.path, options);
   if (!assembled) return assembled.diagnostics();
-  Attempt result{
-      {.source = std::move(assembled).value(), .output = {}, .format = target.format, .reflection = {}},
-      std::nullopt};
+  Attempt result{{.source = std::move(assembled).value(),
+                  .output = {},
+                  .format = target.format,
+                  .is_module = false,
+                  .reflection = {}},
+                 std::nullopt};
   Assembled& source = result.compiled.source;
   if (std::ranges::find(target.stages, request.stage) == target.stages.end()) {
     result.refusal = refuse_stage(source, request.stage, target);
@@ -125,6 +128,7 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
       return Diagnostic{.file = request.path,
                         .message = "has no main(): it is a module, not a shader; use gnomonc check"};
     }
+    result.compiled.is_module = true;
     append_entry_point(source, shader, request.stage);
     Shader complete = compile(source.text, request.stage, target);
     shader.error = complete.error;

@@ -2,6 +2,7 @@
 #include "origin.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace gnomon::compiler {
@@ -25,6 +26,15 @@ Diagnostic failure_at(const Assembled& assembled, LineOrigin origin, std::string
                                std::to_string(at.line));
   }
   return diagnostic;
+}
+
+std::string portable_name(const std::string& file, const Assembled& source, const std::string& library) {
+  namespace fs = std::filesystem;
+  const fs::path in_library = fs::path(file).lexically_relative(fs::path(library).lexically_normal());
+  if (!library.empty() && !in_library.empty() && *in_library.begin() != "..")
+    return ("gnomon" / in_library).generic_string();
+  const fs::path beside = fs::path(file).lexically_relative(fs::path(source.files.front()).parent_path());
+  return beside.empty() ? file : beside.generic_string();
 }
 
 Diagnostic locate(const Assembled& assembled, int line, std::string message) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Failures at the original file and line.
+// Original files and lines.
 #pragma once
 
 #include <string>
@@ -13,5 +13,10 @@ namespace gnomon::compiler {
 
 /// The path of the file that an inclusion inlines.
 [[nodiscard]] const std::string& file_of(const Assembled& assembled, int inclusion);
+
+/// A name for a file of the text that is the same on every machine: "gnomon/..." below the folder `library`,
+/// else the path from the main file.
+[[nodiscard]] std::string portable_name(const std::string& file, const Assembled& assembled,
+                                        const std::string& library);
 
 }  // namespace gnomon::compiler

@@ -2,7 +2,6 @@
 #include "reflect.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <string_view>
 
@@ -12,17 +11,6 @@
 
 namespace gnomon::compiler {
 namespace {
-
-namespace fs = std::filesystem;
-
-// The same on every machine: below the library "gnomon/...", else as seen from the main file.
-std::string portable_name(const std::string& file, const Assembled& source, const std::string& library) {
-  const fs::path in_library = fs::path(file).lexically_relative(fs::path(library).lexically_normal());
-  if (!library.empty() && !in_library.empty() && *in_library.begin() != "..")
-    return ("gnomon" / in_library).generic_string();
-  const fs::path beside = fs::path(file).lexically_relative(fs::path(source.files.front()).parent_path());
-  return beside.empty() ? file : beside.generic_string();
-}
 
 std::vector<HostFunction> host_functions(const Shader& shader, const Assembled& source,
                                          const std::string& library) {

@@ -107,6 +107,7 @@ struct Compiled {
   Assembled source;               ///< the text that was validated; for HLSL and MSL what they were made from
   std::string output;             ///< text, or the bytes of SPIR-V
   Format format = Format::kGlsl;  ///< of the output
+  bool is_module = false;         ///< it has no main() of its own; only check() takes that
   Reflection reflection;          ///< of target "header": that of the first embedded target
 };
 
