@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The generated header, compiled and run by a C++ compiler.
-#include <sys/wait.h>
-
-#include <cstdlib>
-
 #include "gnomon/compiler/compiler.h"
-#include "temporary_tree.h"
+#include "temporary_program.h"
 
 namespace gnomon::compiler {
 namespace {
@@ -20,12 +16,7 @@ class Header : public testing::Test {
   }
   // The exit code of a program with these statements.
   int run(const std::string& includes, const std::string& statements) const {
-    tree.file("main.cpp", includes + "#include <cstring>\nint main() {\n" + statements + "\n}\n");
-    const std::string command = "cd '" + tree.path("") +
-                                "' && '" GNOMON_CXX
-                                "' -std=c++17 -Wall -Wextra -Wpedantic -Werror main.cpp -o main && ./main";
-    const int status = std::system(command.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return run_program(tree, includes + "#include <cstring>\nint main() {\n" + statements + "\n}\n");
   }
 
   TemporaryTree tree;

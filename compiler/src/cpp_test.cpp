@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Modules as C++, compiled and run by a C++ compiler.
+#include "gnomon/compiler/cpp.h"
+
+#include "temporary_program.h"
+
+namespace gnomon::compiler {
+namespace {
+
+class Cpp : public testing::Test {
+ protected:
+  std::string error_of(const std::vector<std::string>& paths) const {
+    const auto header = cpp_header(paths, options);
+    return header ? "no error" : tree.relative(to_string(header.diagnostics().front()));
+  }
+  int run(const std::vector<std::string>& paths, const std::string& program) const {
+    const auto header = cpp_header(paths, options);
+    if (!header) return -2;
+    tree.file("modules.h", *header);
+    return run_program(tree, "#include \"modules.h\"\n" + program);
+  }
+
+  TemporaryTree tree;
+  Options options{.library_directory = tree.path("library")};
+};
+
+TEST_F(Cpp, HostFunctionsAreTheDerivedClasss) {
+  const std::string a =
+      tree.file("a.glsl",
+                "#ifndef A\n#define A\n#define LIMIT 3\nconst float k = 2.0f; // a constant\n"
+                "float host(ivec2 at, // two\n           int q);\nfloat later(float x);\n"
+                "struct Pair { float a; float b; };\n"
+                "Pair twice(ivec2 at) {\n  Pair p;\n  p.a = host(at, LIMIT) * k; p.b = later(p.a);\n"
+                "  return p;\n}\nfloat later(float x) { for (int i = 0; i < LIMIT; ++i) x += 1.0f; return x; "
+                "}\n#endif\n");
+  const std::string b = tree.file(
+      "b.glsl", "#include \"a.glsl\"\nfloat sum(ivec2 at) { Pair p = twice(at); return p.a + p.b; }\n");
+  EXPECT_EQ(
+      run({b, a},
+          "struct Host : gnomon::Modules {\n  float scale = 1;\n"
+          "  float host(glm::ivec2 at, int q) const override { return scale * float(at.x + at.y + q); }\n};\n"
+          "int main() {\n  Host one, two;\n  two.scale = 2;\n  const Host& host = two;\n"
+          "  return one.sum({1, 2}) == 12 + 15 && host.sum({1, 2}) == 24 + 27 ? 0 : 1;\n}\n"),
+      0);
+}
+
+TEST_F(Cpp, LinesLeadToTheModules) {
+  tree.file("library/core/x.glsl", "#ifndef X\n#define X\n\nfloat x() { return 1.0f; }\n#endif\n");
+  const std::string m = tree.file("m.glsl", "#include <gnomon/core/x.glsl>\nfloat m() { return x(); }\n");
+  const auto header = cpp_header({m}, options);
+  ASSERT_TRUE(header);
+  EXPECT_NE(header->find("#line 1 \"gnomon/core/x.glsl\"\n#ifndef X\n"), std::string::npos) << *header;
+  EXPECT_NE(header->find("#line 2 \"" + m + "\"\nfloat m() const { return x(); }\n"), std::string::npos)
+      << *header;
+}
+
+TEST_F(Cpp, ModulesAreCheckedFirst) {
+  EXPECT_EQ(error_of({tree.file("a.glsl", "float f() { return y; }\n")}),
+            "a.glsl:1: error: 'y': undeclared identifier");
+  EXPECT_EQ(error_of({tree.file("a.frag", "void main() {}\n")}),
+            "a.frag: error: has a main(): it is a shader, not a module");
+  EXPECT_EQ(error_of({tree.path("none.glsl")}),
+            "none.glsl: error: cannot read the file: check the path and its permissions");
+}
+
+TEST_F(Cpp, TheLibraryWithAHostOfTwoLines) {
+  options.library_directory = GNOMON_SOURCE_SHADERLIB;
+  EXPECT_EQ(
+      run({options.library_directory + "/relief/multilevel.glsl",
+           options.library_directory + "/baseline/brute_force.glsl"},
+          "struct Wall final : gnomon::Modules {\n"
+          "  float gnomon_host_height(glm::ivec2 at, int) const override { return at.x == 20 ? 10.0f : 0.0f; "
+          "}\n"
+          "  float gnomon_host_extrema(glm::ivec2, int, int) const override { return 10.0f; }\n};\n"
+          "int main() {\n  const Wall wall;\n  const Wall::GnomonMap map{{32, 8}, {32, 8}, {1, 1}, 10.0f, "
+          "3};\n"
+          "  const glm::vec3 sun = glm::normalize(glm::vec3(1, 0, 1));\n"
+          "  for (int column = 0; column < 32; ++column) {\n"
+          "    const auto here = wall.gnomon_receiver_at(float(column) + 0.5f, 4.5f, 0);\n"
+          "    const float shadow = column > 10 && column < 20 ? 1.0f : 0.0f;  // 10 m high, 45 degrees\n"
+          "    if (wall.gnomon_multilevel(map, here, sun, 0, 320).shadow != shadow) return 1;\n"
+          "    if (wall.gnomon_brute_force(map, here, sun, 0, 320).shadow != shadow) return 2;\n  }\n}\n"),
+      0);
+}
+
+}  // namespace
+}  // namespace gnomon::compiler

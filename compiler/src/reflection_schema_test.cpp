@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What `gnomonc build --reflect` writes keeps to the published schema.
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "gnomon/compiler/compiler.h"
+#include "temporary_tree.h"
+
+namespace gnomon::compiler {
+namespace {
+
+using nlohmann::json;
+using Adapter = valijson::adapters::NlohmannJsonAdapter;
+
+class ReflectionSchema : public testing::Test {
+ protected:
+  void SetUp() override {
+    const json document = json::parse(std::ifstream(GNOMON_REFLECTION_SCHEMA));
+    valijson::SchemaParser(valijson::SchemaParser::kDraft7).populateSchema(Adapter(document), schema_);
+  }
+
+  // The first objection, empty for none.
+  std::string objection(const json& document) {
+    valijson::ValidationResults results;
+    valijson::Validator().validate(schema_, Adapter(document), &results);
+    valijson::ValidationResults::Error error;
+    if (!results.popError(error)) return {};
+    std::string place;
+    for (const std::string& part : error.context) place += part;
+    return place + ": " + error.description;
+  }
+
+  json reflect(const std::string& target, const std::string& name, const std::string& source) {
+    options.target = target;
+    const auto built = build(tree.file(name, source), options);
+    if (built) return json::parse(to_json(built->reflection));
+    ADD_FAILURE() << to_string(built.diagnostics().front());
+    return {};
+  }
+
+  TemporaryTree tree;
+  Options options{.library_directory = GNOMON_SOURCE_SHADERLIB};
+
+ private:
+  valijson::Schema schema_;
+};
+
+constexpr const char* kFragment =
+    "#include <gnomon/host/r32f.glsl>\nstruct L { vec3 at; float power; };\n"
+    "layout(std140) uniform Lights { L lights[2]; float sizes[3]; };\nuniform vec3 a[4]; in vec2 v;\nout "
+    "vec4 o;\n"
+    "void main() { o = vec4(a[1] + lights[1].at * sizes[2], v.x + gnomon_host_height(ivec2(0), 0)); }\n";
+
+TEST_F(ReflectionSchema, HoldsForEveryTargetAndStage) {
+  for (const Target& target : targets())
+    EXPECT_EQ(objection(reflect(target.name, "a.frag", kFragment)), "") << target.name;
+  const std::string compute =
+      "layout(local_size_x = 8) in;\nlayout(std430) buffer B { int n; float x[]; };\nvoid main() { x[n] = "
+      "1.0; }\n";
+  for (const char* target : {"glsl450", "vulkan", "opengl", "essl310", "hlsl50", "msl21"})
+    EXPECT_EQ(objection(reflect(target, "a.comp", compute)), "") << target;
+}
+
+TEST_F(ReflectionSchema, RefusesWhatItDoesNotDescribe) {
+  const json good = reflect("vulkan", "a.frag", kFragment);
+  for (const char* patch :
+       {R"([{"op": "add", "path": "/more", "value": 1}])", R"([{"op": "remove", "path": "/target"}])",
+        R"([{"op": "replace", "path": "/version", "value": 2}])",
+        R"([{"op": "add", "path": "/inputs/0/offset", "value": 0}])",
+        R"([{"op": "replace", "path": "/blocks/0/kind", "value": "push"}])"}) {
+    EXPECT_NE(objection(good.patch(json::parse(patch))), "") << patch;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::compiler
