@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "cli/command_line.h"
+#include "cli/dependencies.h"
 #include "cli/output.h"
 #include "gnomon/compiler/modules.h"
 #include "gnomon/library_location.h"
@@ -22,7 +23,11 @@ int report(const Diagnostics& diagnostics, cli::ErrorFormat format) {
 
 int build(const cli::Command& command) {
   const auto shader = compiler::build(command.files.front(), command.options);
-  if (!shader) return report(shader.diagnostics(), command.error_format);
+  const int failed = shader ? 0 : report(shader.diagnostics(), command.error_format);
+  if (failed == static_cast<int>(Failure::kInvalid)) return failed;
+  const auto noted = cli::write_depfile(command);
+  if (!noted) return report(noted.diagnostics(), command.error_format);
+  if (!shader) return failed;
   report(shader->warnings, command.error_format);
   const auto written = cli::write(*shader, command.output);
   return written ? 0 : report(written.diagnostics(), command.error_format);
@@ -35,6 +40,12 @@ int check(const cli::Command& command) {
     code = std::max(code, report(shader ? shader->warnings : shader.diagnostics(), command.error_format));
   }
   return code;
+}
+
+int graph(const cli::Command& command) {
+  const auto text = cli::graph_text(command);
+  const Result<Done> printed = text ? cli::print(*text) : text.diagnostics();
+  return printed ? 0 : report(printed.diagnostics(), command.error_format);
 }
 
 int list(const cli::Command& command) {
@@ -56,6 +67,8 @@ int main(int argc, char** argv) {
       return build(*line.command);
     case cli::Command::Name::kCheck:
       return check(*line.command);
+    case cli::Command::Name::kGraph:
+      return graph(*line.command);
     case cli::Command::Name::kList:
       break;
   }

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/spelling.h"
+
 namespace gnomon::cli {
 namespace {
 
@@ -15,6 +17,7 @@ struct Typed {
   std::vector<std::string> defines;
   std::string stage;
   std::string error_format = "gcc";
+  bool wants_depfile = false;  // -MD
 };
 
 std::vector<std::string> stage_names() {
@@ -56,15 +59,34 @@ void add_compile_options(CLI::App& app, Typed& typed) {
       ->type_name("FORMAT");
 }
 
+void add_dependency_options(CLI::App& build, Typed& typed) {
+  build.add_flag(
+      "--MD", typed.wants_depfile,
+      "Also write the rule of OUT and the files it depends on, for Make and Ninja, to OUT.d; on an "
+      "error in the shader too");
+  build.add_option("--MF", typed.command.depfile, "Like -MD, to FILE")->type_name("FILE");
+}
+
+std::optional<Diagnostic> name_depfile(Command& command, bool wanted) {
+  if (!wanted && command.depfile.empty()) return std::nullopt;
+  if (command.output.empty()) return Diagnostic{.message = "-MD and -MF need -o OUT, which the rule is for"};
+  if (command.depfile.empty()) command.depfile = command.output + ".d";
+  if (command.depfile == command.output)
+    return Diagnostic{.file = command.output, .message = "is both OUT and the file of -MF: name two files"};
+  return std::nullopt;
+}
+
+CommandLine refuse(const Diagnostic& diagnostic) {
+  return {
+      .command = {}, .text = to_string(diagnostic) + "\n", .exit_code = static_cast<int>(Failure::kInvalid)};
+}
+
 CommandLine finish(Typed typed) {
   Command& command = typed.command;
+  if (const auto wrong = name_depfile(command, typed.wants_depfile)) return refuse(*wrong);
   for (const std::string& text : typed.defines) {
     auto define = compiler::parse_define(text);
-    if (!define) {
-      return {.command = {},
-              .text = to_string(define.diagnostics().front()) + "\n",
-              .exit_code = static_cast<int>(Failure::kInvalid)};
-    }
+    if (!define) return refuse(define.diagnostics().front());
     command.options.defines.push_back(std::move(define).value());
   }
   const auto stage = std::ranges::find(compiler::stages(), typed.stage, &compiler::StageName::name);
@@ -93,6 +115,7 @@ CommandLine parse_command_line(int argc, const char* const* argv, const std::str
       ->expected(1)
       ->type_name("");
   build->add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
+  add_dependency_options(*build, typed);
   add_compile_options(*build, typed);
 
   CLI::App* check = app.add_subcommand(
@@ -100,17 +123,34 @@ CommandLine parse_command_line(int argc, const char* const* argv, const std::str
   check->add_option("FILE", typed.command.files, "Shaders and modules")->required()->type_name("");
   add_compile_options(*check, typed);
 
+  CLI::App* graph = app.add_subcommand("graph", "Which file includes which: every file that a shader reads");
+  graph->add_option("FILE", typed.command.files, "A shader or module")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  graph->add_flag("--dot", typed.command.dot, "As a Graphviz digraph instead of an indented list");
+  add_compile_options(*graph, typed);
+
   CLI::App* list = app.add_subcommand("list", "The library's modules, one line each: name, summary, source");
 
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = with_long_names(argc, argv);
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& stop) {
     std::ostringstream text;
     const bool is_failure = app.exit(stop, text, text) != 0;
-    return {
-        .command = {}, .text = text.str(), .exit_code = is_failure ? static_cast<int>(Failure::kInvalid) : 0};
+    return {.command = {},
+            .text = with_typed_names(text.str()),
+            .exit_code = is_failure ? static_cast<int>(Failure::kInvalid) : 0};
   }
-  typed.command.name = *build ? Command::Name::kBuild : *list ? Command::Name::kList : Command::Name::kCheck;
+  const std::pair<CLI::App*, Command::Name> commands[] = {{build, Command::Name::kBuild},
+                                                          {check, Command::Name::kCheck},
+                                                          {graph, Command::Name::kGraph},
+                                                          {list, Command::Name::kList}};
+  for (const auto& [app_of, name] : commands) {
+    if (*app_of) typed.command.name = name;
+  }
   return finish(std::move(typed));
 }
 

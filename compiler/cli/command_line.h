@@ -12,11 +12,13 @@
 namespace gnomon::cli {
 
 struct Command {
-  enum class Name { kBuild, kCheck, kList };
+  enum class Name { kBuild, kCheck, kGraph, kList };
   Name name = Name::kList;
   std::vector<std::string> files;
   compiler::Options options;
-  std::string output;  ///< empty: standard output
+  std::string output;   ///< empty: standard output
+  std::string depfile;  ///< of build: what `output` depends on; empty: not asked for
+  bool dot = false;     ///< of graph: for Graphviz
   ErrorFormat error_format = ErrorFormat::kGcc;
 };
 
