@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "cli/spelling.h"
+
 namespace gnomon::cli {
 namespace {
 
@@ -15,6 +17,7 @@ struct Typed {
   std::vector<std::string> defines;
   std::string stage;
   std::string error_format = "gcc";
+  bool wants_depfile = false;  // -MD
 };
 
 std::vector<std::string> stage_names() {
@@ -68,15 +71,34 @@ void add_compile_options(CLI::App& app, Typed& typed) {
       ->type_name("S");
 }
 
+void add_dependency_options(CLI::App& build, Typed& typed) {
+  build.add_flag(
+      "--MD", typed.wants_depfile,
+      "Also write the rule of OUT and the files it depends on, for Make and Ninja, to OUT.d; on an "
+      "error in the shader too");
+  build.add_option("--MF", typed.command.depfile, "Like -MD, to FILE")->type_name("FILE");
+}
+
+std::optional<Diagnostic> name_depfile(Command& command, bool wanted) {
+  if (!wanted && command.depfile.empty()) return std::nullopt;
+  if (command.output.empty()) return Diagnostic{.message = "-MD and -MF need -o OUT, which the rule is for"};
+  if (command.depfile.empty()) command.depfile = command.output + ".d";
+  if (command.depfile == command.output)
+    return Diagnostic{.file = command.output, .message = "is both OUT and the file of -MF: name two files"};
+  return std::nullopt;
+}
+
+CommandLine refuse(const Diagnostic& diagnostic) {
+  return {
+      .command = {}, .text = to_string(diagnostic) + "\n", .exit_code = static_cast<int>(Failure::kInvalid)};
+}
+
 CommandLine finish(Typed typed) {
   Command& command = typed.command;
+  if (const auto wrong = name_depfile(command, typed.wants_depfile)) return refuse(*wrong);
   for (const std::string& text : typed.defines) {
     auto define = compiler::parse_define(text);
-    if (!define) {
-      return {.command = {},
-              .text = to_string(define.diagnostics().front()) + "\n",
-              .exit_code = static_cast<int>(Failure::kInvalid)};
-    }
+    if (!define) return refuse(define.diagnostics().front());
     command.options.defines.push_back(std::move(define).value());
   }
   const auto stage = std::ranges::find(compiler::stages(), typed.stage, &compiler::StageName::name);
@@ -84,6 +106,69 @@ CommandLine finish(Typed typed) {
   if (typed.error_format == "msvc") command.error_format = ErrorFormat::kMsvc;
   return {.command = std::move(command), .text = {}};
 }
+
+void add_files(CLI::App& command, Typed& typed, const char* help) {
+  command.add_option("FILE", typed.command.files, help)->required()->type_name("");
+}
+
+void add_output(CLI::App& command, Typed& typed) {
+  command.add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
+}
+
+void add_build(CLI::App& command, Typed& typed) {
+  add_files(command, typed, "The shader, with its main()");
+  command.get_option("FILE")->expected(1);
+  add_output(command, typed);
+  command.add_option("--reflect", typed.command.reflection, "Also write what the host has to bind, as JSON")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--embed", typed.command.options.embedded,
+          "For the target header: a target whose output the header holds; glsl450 where none is given")
+      ->check(CLI::IsMember(embeddable_names()))
+      ->type_name("T")
+      ->allow_extra_args(false);
+  add_dependency_options(command, typed);
+  add_compile_options(command, typed);
+}
+
+void add_check(CLI::App& command, Typed& typed) {
+  add_files(command, typed, "Shaders and modules");
+  add_compile_options(command, typed);
+}
+
+void add_cpp(CLI::App& command, Typed& typed) {
+  add_files(command, typed, "Modules; every one of the library but for hosts where none is given");
+  command.get_option("FILE")->required(false);
+  add_output(command, typed);
+  add_source_options(command, typed);
+}
+
+void add_graph(CLI::App& command, Typed& typed) {
+  add_files(command, typed, "A shader or module");
+  command.get_option("FILE")->expected(1);
+  command.add_flag("--dot", typed.command.dot, "As a Graphviz digraph instead of an indented list");
+  add_compile_options(command, typed);
+}
+
+void add_list(CLI::App&, Typed&) {}
+
+struct CommandRow {
+  Command::Name name;
+  const char* word;
+  const char* help;
+  void (*add_options)(CLI::App&, Typed&);
+};
+
+// A new command is a row here and a case in commands.cpp.
+constexpr CommandRow kCommands[] = {
+    {Command::Name::kBuild, "build", "Assemble a shader, validate it, and write it for a target", add_build},
+    {Command::Name::kCheck, "check",
+     "Assemble and validate only; of a module, a file without main(), every function is called", add_check},
+    {Command::Name::kCpp, "cpp", "Write modules as one C++ header, for GLM", add_cpp},
+    {Command::Name::kGraph, "graph", "Which file includes which: every file that a shader reads", add_graph},
+    {Command::Name::kList, "list", "The library's modules, one line each: name, summary, source", add_list},
+};
 
 }  // namespace
 
@@ -98,48 +183,22 @@ CommandLine parse_command_line(int argc, const char* const* argv, const std::str
   app.footer(
       "Exit codes: 0 all is well, 1 a shader does not compile, 2 wrong usage or unreadable FILE, 99 output "
       "not writable.");
-
-  CLI::App* build = app.add_subcommand("build", "Assemble a shader, validate it, and write it for a target");
-  build->add_option("FILE", typed.command.files, "The shader, with its main()")
-      ->required()
-      ->expected(1)
-      ->type_name("");
-  build->add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
-  build->add_option("--reflect", typed.command.reflection, "Also write what the host has to bind, as JSON")
-      ->type_name("FILE");
-  build
-      ->add_option(
-          "--embed", typed.command.options.embedded,
-          "For the target header: a target whose output the header holds; glsl450 where none is given")
-      ->check(CLI::IsMember(embeddable_names()))
-      ->type_name("T")
-      ->allow_extra_args(false);
-  add_compile_options(*build, typed);
-
-  CLI::App* check = app.add_subcommand(
-      "check", "Assemble and validate only; of a module, a file without main(), every function is called");
-  check->add_option("FILE", typed.command.files, "Shaders and modules")->required()->type_name("");
-  add_compile_options(*check, typed);
-
-  CLI::App* cpp = app.add_subcommand("cpp", "Write modules as one C++ header, for GLM");
-  cpp->add_option("FILE", typed.command.files,
-                  "Modules; every one of the library but for hosts where none is given")
-      ->type_name("");
-  cpp->add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
-  add_source_options(*cpp, typed);
-
-  CLI::App* list = app.add_subcommand("list", "The library's modules, one line each: name, summary, source");
-
+  for (const CommandRow& row : kCommands) {
+    CLI::App* command = app.add_subcommand(row.word, row.help);
+    row.add_options(*command, typed);
+    command->callback([&typed, &row] { typed.command.name = row.name; });
+  }
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments = with_long_names(argc, argv);
+    std::ranges::reverse(arguments);  // as CLI11 takes them
+    app.parse(std::move(arguments));
   } catch (const CLI::ParseError& stop) {
     std::ostringstream text;
     const bool is_failure = app.exit(stop, text, text) != 0;
-    return {
-        .command = {}, .text = text.str(), .exit_code = is_failure ? static_cast<int>(Failure::kInvalid) : 0};
+    return {.command = {},
+            .text = with_typed_names(text.str()),
+            .exit_code = is_failure ? static_cast<int>(Failure::kInvalid) : 0};
   }
-  using enum Command::Name;
-  typed.command.name = *build ? kBuild : *cpp ? kCpp : *list ? kList : kCheck;
   return finish(std::move(typed));
 }
 

@@ -12,12 +12,14 @@
 namespace gnomon::cli {
 
 struct Command {
-  enum class Name { kBuild, kCheck, kCpp, kList };
+  enum class Name { kBuild, kCheck, kCpp, kGraph, kList };
   Name name = Name::kList;
   std::vector<std::string> files;
   compiler::Options options;
   std::string output;      ///< empty: standard output
-  std::string reflection;  ///< where the reflection goes; empty: nowhere
+  std::string reflection;  ///< of build: where the reflection goes; empty: nowhere
+  std::string depfile;     ///< of build: what `output` depends on; empty: not asked for
+  bool dot = false;        ///< of graph: for Graphviz
   ErrorFormat error_format = ErrorFormat::kGcc;
 };
 

@@ -85,6 +85,44 @@ TEST_F(Gnomonc, OutputThatIsNotWritableIsNinetyNine) {
   EXPECT_EQ(run("build a.frag -o /dev/null").code, 0);
 }
 
+TEST_F(Gnomonc, SpirvNeedsAFileAndTextDoesNot) {
+  tree.file("a.frag", "out vec4 o;\nvoid main() { o = vec4(1); }\n");
+  const Outcome binary = run("build a.frag --target vulkan");
+  EXPECT_EQ(binary.code, 2);
+  EXPECT_EQ(binary.out, "");
+  EXPECT_EQ(binary.err, "error: SPIR-V is binary: name a file for it with -o\n");
+  EXPECT_EQ(run("build a.frag --target vulkan -o a.spv").code, 0);
+  EXPECT_EQ(tree.read("a.spv").substr(0, 4), std::string("\x03\x02#\x07", 4));
+  EXPECT_NE(run("build a.frag --target hlsl50").out.find("SV_Target0"), std::string::npos);
+  EXPECT_NE(run("build a.frag --target header --embed vulkan --embed essl300").out.find("#version 300 es"),
+            std::string::npos);
+  EXPECT_EQ(run("build a.frag --target header --embed header").code, 2);
+}
+
+TEST_F(Gnomonc, ReflectionIsWrittenBesideTheOutput) {
+  tree.file("a.frag", "out vec4 o;\nuniform float x;\nvoid main() { o = vec4(x); }\n");
+  EXPECT_EQ(run("build a.frag -o a.glsl --reflect a.json").code, 0);
+  EXPECT_NE(tree.read("a.json").find("\"name\": \"x\""), std::string::npos);
+  const std::string json = tree.read("a.json");
+  EXPECT_EQ(run("build a.frag -o a.glsl --reflect a.glsl").code, 2);
+  EXPECT_EQ(run("build a.frag -o a.glsl --reflect a.frag").code, 2);
+  EXPECT_EQ(run("build a.frag -o b.glsl --reflect none/a.json").code, 99);
+  EXPECT_EQ(tree.read("b.glsl"), "");
+  tree.file("a.frag", "out vec4 o;\nvoid main() { o = vec4(y); }\n");
+  EXPECT_EQ(run("build a.frag -o a.glsl --reflect a.json").code, 1);
+  EXPECT_EQ(tree.read("a.json"), json);
+}
+
+TEST_F(Gnomonc, CppWritesTheLibraryOrGivenModules) {
+  EXPECT_NE(run("cpp").out.find("GnomonShadow gnomon_multilevel("), std::string::npos);
+  tree.file("m.glsl", "float f(float x) { return x; }\n");
+  EXPECT_EQ(run("cpp m.glsl -o m.h").code, 0);
+  EXPECT_NE(tree.read("m.h").find("float f(float x) const { return x; }"), std::string::npos);
+  tree.file("m.glsl", "float f(float x) { return y; }\n");
+  EXPECT_EQ(run("cpp m.glsl -o m.h").code, 1);
+  EXPECT_NE(tree.read("m.h").find("return x;"), std::string::npos);
+}
+
 TEST_F(Gnomonc, IncludeFolders) {
   tree.file("a.frag", "#include <x.glsl>\nvoid main() { x(); }\n");
   tree.file("one/x.glsl", "void x() {}\n");

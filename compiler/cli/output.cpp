@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "gnomon/atomic_file.h"
@@ -15,22 +17,42 @@ Result<Done> print(const std::string& text) {
   return Diagnostic{.message = "cannot write to standard output", .failure = Failure::kMachine};
 }
 
-Result<Done> write_beside(const compiler::Compiled& shader, const std::string& text,
-                          const std::string& path) {
+namespace {
+
+bool is_source(const compiler::Compiled& shader, const std::string& path) {
   std::error_code ignored;
-  for (const std::string& source : shader.source.files) {
-    if (std::filesystem::equivalent(source, path, ignored)) {
-      return Diagnostic{.file = path, .message = "is a source of this shader: write to another file"};
-    }
-  }
-  return write_file_atomically(path, std::as_bytes(std::span(text)));
+  return std::ranges::any_of(shader.source.files, [&](const std::string& source) {
+    return std::filesystem::equivalent(source, path, ignored);
+  });
 }
 
-Result<Done> write(const compiler::Compiled& shader, const std::string& path) {
-  if (!path.empty()) return write_beside(shader, shader.output, path);
-  if (shader.format == compiler::Format::kSpirv)
+std::optional<Diagnostic> wrong_files(const compiler::Compiled& shader, const Command& command) {
+  for (const std::string& path : {command.output, command.reflection}) {
+    if (!path.empty() && is_source(shader, path))
+      return Diagnostic{.file = path, .message = "is a source of this shader: write to another file"};
+  }
+  if (!command.reflection.empty() &&
+      (command.reflection == command.output || command.reflection == command.depfile))
+    return Diagnostic{.file = command.reflection,
+                      .message = "is the file of --reflect and of another output: name two files"};
+  if (command.output.empty() && shader.format == compiler::Format::kSpirv)
     return Diagnostic{.message = "SPIR-V is binary: name a file for it with -o"};
-  return print(shader.output);
+  return std::nullopt;
+}
+
+Result<Done> write_text(const std::string& text, const std::string& path) {
+  return path.empty() ? print(text) : write_file_atomically(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace
+
+Result<Done> write(const compiler::Compiled& shader, const Command& command) {
+  if (auto wrong = wrong_files(shader, command)) return *std::move(wrong);
+  if (!command.reflection.empty()) {
+    const Result<Done> written = write_text(compiler::to_json(shader.reflection), command.reflection);
+    if (!written) return written;
+  }
+  return write_text(shader.output, command.output);
 }
 
 }  // namespace gnomon::cli

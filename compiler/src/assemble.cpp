@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -79,13 +80,23 @@ class Assembler {
  public:
   explicit Assembler(const Options& options) : options_(options) {}
 
-  Result<Assembled> run(const std::string& path, std::string bytes, const Target& target) {
+  // `bytes`: of the main file, none where it cannot be read.
+  Result<Assembled> run(const std::string& path, std::optional<std::string> bytes, const Target& target) {
     result_.files.push_back(path);
     result_.inclusions.emplace_back();
-    if (!scan_last_file(std::move(bytes))) return *std::move(failure_);
+    if (!bytes)
+      return Diagnostic{.file = path, .message = "cannot read the file: check the path and its permissions"};
+    if (!scan_last_file(*std::move(bytes))) return *std::move(failure_);
     begin(target.version_line);
     if (!inline_file(0, false)) return *std::move(failure_);
     return std::move(result_);
+  }
+
+  // Where run() failed: what it read, and what it wanted to read.
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> files = result_.files;
+    if (unread_) files.push_back(*unread_);
+    return files;
   }
 
  private:
@@ -158,25 +169,36 @@ class Assembler {
     if (!name) return fail(failure_at(result_, origin, "malformed #include: expected \"FILE\" or <FILE>"));
     const auto paths = candidates(*name, file_of(result_, origin.inclusion), options_);
     const auto found = std::ranges::find_if(paths, is_file);
-    if (found == paths.end()) return fail(missing(*name, paths, origin));
+    if (found == paths.end()) {
+      if (!paths.empty()) unread_ = paths.front();
+      return fail(missing(*name, paths, origin));
+    }
     const std::string identity = identity_of(*found);
     const auto known = index_of_.find(identity);
     if (known != index_of_.end() && is_open(known->second, origin.inclusion))
       return fail(cycle(known->second, origin));
+    const int file = known == index_of_.end() ? static_cast<int>(files_.size()) : known->second;
+    note(result_.inclusions[static_cast<size_t>(origin.inclusion)].file, file);
     if (known != index_of_.end() && files_[static_cast<size_t>(known->second)].finished) return true;
     if (depth(origin.inclusion) >= kDeepestInclude) return fail(too_deep(origin));
     if (result_.inclusions.size() >= kMostInclusions) return fail(too_many(origin));
 
     const int inclusion = static_cast<int>(result_.inclusions.size());
-    const int file = known == index_of_.end() ? static_cast<int>(files_.size()) : known->second;
     result_.inclusions.push_back({file, origin.inclusion, origin.line});
     if (known == index_of_.end()) {
       auto bytes = read_bytes(*found);
-      if (!bytes) return fail(failure_at(result_, origin, "cannot read the include file \"" + *found + "\""));
+      if (!bytes) {
+        unread_ = *found;
+        return fail(failure_at(result_, origin, "cannot read the include file \"" + *found + "\""));
+      }
       result_.files.push_back(*found);
       if (!scan_last_file(*std::move(bytes))) return false;
     }
     return inline_file(inclusion, conditional);
+  }
+
+  void note(int includer, int included) {
+    if (known_includes_.emplace(includer, included).second) result_.includes.push_back({includer, included});
   }
 
   // The inclusions from the main file to `inclusion`, the innermost first.
@@ -231,6 +253,8 @@ class Assembler {
   Assembled result_;
   std::deque<File> files_;               // beside result_.files; references stay valid while it grows
   std::map<std::string, int> index_of_;  // identity to index
+  std::set<std::pair<int, int>> known_includes_;
+  std::optional<std::string> unread_;
   std::optional<Diagnostic> failure_;
 };
 
@@ -239,10 +263,7 @@ class Assembler {
 Result<Assembled> assemble(const std::string& path, const Options& options) {
   const Target* target = find_target(options.target);
   if (target == nullptr) return unknown_target(options.target);
-  auto bytes = read_bytes(path);
-  if (!bytes)
-    return Diagnostic{.file = path, .message = "cannot read the file: check the path and its permissions"};
-  return Assembler(options).run(path, *std::move(bytes), *target);
+  return Assembler(options).run(path, read_bytes(path), *target);
 }
 
 Result<Assembled> assemble_all(const std::vector<std::string>& paths, const Options& options) {
@@ -251,6 +272,14 @@ Result<Assembled> assemble_all(const std::vector<std::string>& paths, const Opti
   std::string includes;
   for (const std::string& path : paths) includes += "#include \"" + path + "\"\n";
   return Assembler(options).run({}, includes, *target);
+}
+
+std::vector<std::string> files_read(const std::string& path, const Options& options) {
+  const Target* target = find_target(options.target);
+  if (target == nullptr) return {};
+  Assembler assembler(options);
+  const Result<Assembled> assembled = assembler.run(path, read_bytes(path), *target);
+  return assembled ? assembled->files : assembler.files();
 }
 
 }  // namespace gnomon::compiler

@@ -67,6 +67,13 @@ struct Inclusion {
   int line = 0;     ///< 1-based line of that #include
 };
 
+/// File `includer` includes file `included`: both index Assembled::files.
+struct Include {
+  int includer = 0;
+  int included = 0;
+  friend bool operator==(const Include&, const Include&) = default;
+};
+
 /// Where a line of the assembled text comes from.
 struct LineOrigin {
   int inclusion = 0;  ///< index into Assembled::inclusions
@@ -78,6 +85,7 @@ struct Assembled {
   std::string text;
   std::vector<std::string> files;  ///< every file read, the main one first, each once; what a depfile names
   std::vector<Inclusion> inclusions;
+  std::vector<Include> includes;  ///< each pair once, also where a guarded file is not inlined again
   std::vector<LineOrigin> origins;
   Diagnostics warnings{};  ///< from build and check, located like errors
 };
@@ -101,6 +109,11 @@ struct Assembled {
 /// Fails (kInvalid) where `path` itself cannot be read or the target is unknown, (kFailed) for a missing
 /// include, a cycle, an unterminated conditional or comment, bytes that are not UTF-8 text.
 [[nodiscard]] Result<Assembled> assemble(const std::string& path, const Options& options);
+
+/// The files that assemble() reads, the main one first, each once, in its failure too: what the result
+/// depends on. Where an include is missing, the place where it was first looked for is the last of them, so
+/// that a build system that knows it to be missing tries again. Empty where the target is unknown.
+[[nodiscard]] std::vector<std::string> files_read(const std::string& path, const Options& options);
 
 /// What a shader became for one target.
 struct Compiled {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "cli/dependencies.h"
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "gnomon/atomic_file.h"
+#include "gnomon/compiler/depfile.h"
+#include "gnomon/compiler/graph.h"
+
+namespace gnomon::cli {
+
+Result<Done> write_depfile(const Command& command) {
+  if (command.depfile.empty()) return Done{};
+  const std::vector<std::string> files = compiler::files_read(command.files.front(), command.options);
+  std::error_code ignored;
+  for (const std::string& file : files) {
+    if (std::filesystem::equivalent(file, command.depfile, ignored))
+      return Diagnostic{.file = command.depfile,
+                        .message = "is a source of this shader: name another file with -MF"};
+  }
+  const std::string rule = compiler::to_depfile(command.output, files);
+  return write_file_atomically(command.depfile, std::as_bytes(std::span(rule)));
+}
+
+Result<std::string> graph_text(const Command& command) {
+  const auto assembled = compiler::assemble(command.files.front(), command.options);
+  if (!assembled) return assembled.diagnostics();
+  return command.dot ? compiler::to_dot(*assembled) : compiler::to_tree(*assembled);
+}
+
+}  // namespace gnomon::cli
