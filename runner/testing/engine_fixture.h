@@ -8,8 +8,8 @@
 
 namespace gnomon::testing {
 
-inline Engine make_engine() {
-  return Engine({.shader_library = GNOMON_SOURCE_DIR "/shaderlib"});
+inline Engine make_engine(const std::string& target = "glsl450") {
+  return Engine({.shader_library = GNOMON_SOURCE_DIR "/shaderlib", .target = target});
 }
 
 /// A scene over a procedural map with 10 m spacing, or over the carried elevation model ("real").
