@@ -194,7 +194,7 @@ void adapt(Assembled& assembled, Stage stage, const Target& target) {
   std::string statements(kPrecisions);
   if (target.version_line == "#version 310 es") statements += kImagePrecisions;
   assembled.text.insert(begin_of_line(assembled.text, line), statements + "\n");
-  assembled.origins.insert(assembled.origins.begin() + static_cast<std::ptrdiff_t>(line), LineOrigin{0, 1});
+  assembled.origins.insert(assembled.origins.begin() + static_cast<std::ptrdiff_t>(line), LineOrigin{0, 0});
 }
 
 }  // namespace gnomon::compiler

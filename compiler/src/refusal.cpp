@@ -1,7 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "refusal.h"
 
+#include <algorithm>
+#include <array>
+
 namespace gnomon::compiler {
+namespace {
+
+bool has_stage(const Target& target, Stage stage) {
+  return std::ranges::find(target.stages, stage) != target.stages.end();
+}
+
+// Whether a target is seen to have no objection where another one refused.
+bool takes(const Request& request, const Target& target, const Refusal& refusal) {
+  if (refusal.of == Refusal::Of::kStage) return has_stage(target, request.stage);
+  const Result<Attempt> other = attempt(request, target);
+  if (!other) return refusal.of == Refusal::Of::kText;  // the text was valid; the loops were not
+  if (!other->refusal) return true;
+  const Refusal& objection = *other->refusal;
+  return refusal.of == Refusal::Of::kText &&
+         (objection.of == Refusal::Of::kOutput || objection.place > refusal.place);
+}
+
+// Whether the target is why: what neither of the two that have most takes is a mistake.
+bool is_lack(const Request& request, const Target& target, const Refusal& refusal) {
+  constexpr std::array kRichest = {"glsl450", "vulkan"};
+  return refusal.of != Refusal::Of::kText || std::ranges::any_of(kRichest, [&](const char* name) {
+           return target.name != name && takes(request, *find_target(name), refusal);
+         });
+}
+
+}  // namespace
 
 std::string join(const std::vector<std::string>& names) {
   if (names.empty()) return "no target";
@@ -16,14 +45,17 @@ Diagnostic unknown_target(const std::string& name) {
   return {.message = "unknown target \"" + name + "\": known are " + join(known)};
 }
 
-std::vector<std::string> targets_that_take(const Target& refusing,
-                                           const std::function<bool(const Target&)>& takes) {
-  std::vector<std::string> names;
-  for (const Target& target : targets()) {
-    if (target.name == refusing.name || target.format == Format::kHeader) continue;
-    if (takes(target)) names.push_back(target.name);
+Diagnostic explain(const Request& request, const Target& target, const Refusal& refusal) {
+  if (!is_lack(request, target, refusal)) return refusal.diagnostic;
+  std::vector<std::string> others;
+  for (const Target& other : targets()) {
+    const bool is_other = other.name != target.name && other.format != Format::kHeader;
+    if (is_other && takes(request, other, refusal)) others.push_back(other.name);
   }
-  return names;
+  Diagnostic explained = refusal.diagnostic;
+  if (others.empty()) return explained;
+  explained.message += "; refused for the target " + target.name + ", taken by " + join(others);
+  return explained;
 }
 
 }  // namespace gnomon::compiler

@@ -2,11 +2,10 @@
 // Targets that there are not, and what one refuses and others take.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "gnomon/compiler/compiler.h"
+#include "attempt.h"
 
 namespace gnomon::compiler {
 
@@ -16,8 +15,8 @@ namespace gnomon::compiler {
 /// The failure of asking for a target that there is not.
 [[nodiscard]] Diagnostic unknown_target(const std::string& name);
 
-/// The names of the targets, other than `refusing` and those that only hold others, for which `takes` holds.
-[[nodiscard]] std::vector<std::string> targets_that_take(const Target& refusing,
-                                                         const std::function<bool(const Target&)>& takes);
+/// The diagnostic of a refusal. Where it is the target that lacks something, it names the targets that take
+/// the shader, as far as they were seen to: each of them is tried.
+[[nodiscard]] Diagnostic explain(const Request& request, const Target& target, const Refusal& refusal);
 
 }  // namespace gnomon::compiler

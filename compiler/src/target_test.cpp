@@ -71,6 +71,17 @@ TEST_F(Targets, GatherIsRefusedWhereThereIsNone) {
             "taken by glsl450, essl310, vulkan, opengl, hlsl50 and msl21");
 }
 
+// ESSL objects before, so nothing is known of what it would say of the gather.
+TEST_F(Targets, OnlyTargetsThatWereSeenToTakeItAreNamed) {
+  const std::string source =
+      "uniform sampler2D a;\nnoperspective in vec2 b;\nout vec4 o;\nvoid main() {\n  o = textureGather(a, "
+      "b);\n}\n";
+  EXPECT_EQ(error("glsl330", "a.frag", source),
+            "a.frag:5: error: 'textureGather(...)': not supported for this version or the enabled "
+            "extensions; refused "
+            "for the target glsl330, taken by glsl450, vulkan, opengl, hlsl50 and msl21");
+}
+
 TEST_F(Targets, GeometryShadersAreRefusedWhereThereAreNone) {
   const std::string source =
       "layout(points) in;\nlayout(points, max_vertices = 1) out;\nvoid main() {\n  gl_Position = "

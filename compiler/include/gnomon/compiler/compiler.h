@@ -77,7 +77,9 @@ struct Include {
 /// Where a line of the assembled text comes from.
 struct LineOrigin {
   int inclusion = 0;  ///< index into Assembled::inclusions
-  int line = 0;       ///< 1-based; 0 for a line that stands for a -D option
+  int line = 0;       ///< 1-based; 0 for a line that stands for a -D option or was added for the target
+
+  bool operator==(const LineOrigin&) const = default;
 };
 
 /// One self-contained source text without #include and #line. `origins[n]` belongs to line n + 1 of `text`.

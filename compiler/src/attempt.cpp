@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "attempt.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "dialect.h"
+#include "entry_point.h"
+#include "origin.h"
+#include "reflect.h"
+#include "shader.h"
+#include "spirv.h"
+#include "text.h"
+
+namespace gnomon::compiler {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool lies_below(const std::string& path, const std::string& folder) {
+  if (folder.empty()) return false;
+  std::error_code error;
+  const fs::path child = fs::weakly_canonical(path, error);
+  const fs::path parent = fs::weakly_canonical(fs::path(folder) / "", error);
+  const auto last = parent.filename().empty() ? std::prev(parent.end()) : parent.end();
+  return !error && std::mismatch(parent.begin(), last, child.begin(), child.end()).first == last;
+}
+
+// The first loop without a bound in the library, else a warning for each of the others.
+std::optional<Diagnostic> judge_loops(const Shader& shader, const Options& options, Assembled& assembled) {
+  for (const int line : shader.unbounded_loops) {
+    Diagnostic diagnostic =
+        locate(assembled, line,
+               "loop without a bound: write for (int i = 0; i < LIMIT; ++i), with a limit that the "
+               "loop does not modify, and say so where it is reached");
+    if (lies_below(diagnostic.file, options.library_directory)) return diagnostic;
+    diagnostic.warning = true;
+    assembled.warnings.push_back(std::move(diagnostic));
+  }
+  return std::nullopt;
+}
+
+void add_warnings(const Shader& shader, Assembled& assembled) {
+  for (const Message& warning : shader.warnings) {
+    Diagnostic diagnostic = locate(assembled, warning.line, warning.text);
+    diagnostic.warning = true;
+    assembled.warnings.push_back(std::move(diagnostic));
+  }
+}
+
+// "layout(local_size_x = 8)": the line that makes a text one of this stage.
+int line_of_stage(const Assembled& assembled, Stage stage) {
+  const std::string code = blank_comments(assembled.text);
+  const std::string_view word = stage == Stage::kCompute ? "local_size" : "max_vertices";
+  const size_t at = std::min(code.find(word), code.size());
+  if (at == code.size()) return 1;
+  return 1 + static_cast<int>(std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
+Refusal refuse_stage(const Assembled& assembled, Stage stage, const Target& target) {
+  return {locate(assembled, line_of_stage(assembled, stage),
+                 stage_name(stage).title + " shaders: the target " + target.name + " has none"),
+          Refusal::Of::kStage};
+}
+
+Refusal refuse_text(const Assembled& assembled, const Message& error) {
+  const auto last = std::min(assembled.origins.size(), static_cast<size_t>(std::max(error.line, 0)));
+  const auto end = assembled.origins.begin() + static_cast<std::ptrdiff_t>(last);
+  // Lines that stand for options or were added for the target have no number of their own.
+  const auto added = std::count(assembled.origins.begin(), end, LineOrigin{0, 0});
+  return {locate(assembled, error.line, error.text), Refusal::Of::kText,
+          static_cast<int>(last) - static_cast<int>(added)};
+}
+
+// Text, SPIR-V or translation.
+std::optional<Refusal> make_output(const Shader& shader, const Target& target, Compiled& compiled) {
+  if (target.format == Format::kGlsl) {
+    compiled.output = compiled.source.text;
+    return std::nullopt;
+  }
+  compiled.reflection.spirv_size = shader.spirv.size() * sizeof(std::uint32_t);
+  if (auto defect = defect_of(shader.spirv, target.rules))
+    return Refusal{locate(compiled.source, 1, "the SPIR-V made of it is not valid: " + *defect),
+                   Refusal::Of::kOutput};
+  if (target.format == Format::kSpirv) {
+    compiled.output.assign(reinterpret_cast<const char*>(shader.spirv.data()),
+                           *compiled.reflection.spirv_size);
+    return std::nullopt;
+  }
+  Translation translation = translate(shader.spirv, target.format);
+  if (!translation.failure.empty())
+    return Refusal{locate(compiled.source, 1, translation.failure), Refusal::Of::kOutput};
+  compiled.output = std::move(translation.text);
+  return std::nullopt;
+}
+
+}  // namespace
+
+Result<Attempt> attempt(const Request& request, const Target& target) {
+  Options options = request.options;
+  options.target = target.name;
+  Result<Assembled> assembled = assemble(request.path, options);
+  if (!assembled) return assembled.diagnostics();
+  Attempt result{{.source = std::move(assembled).value(),
+                  .output = {},
+                  .format = target.format,
+                  .is_module = false,
+                  .reflection = {}},
+                 std::nullopt};
+  Assembled& source = result.compiled.source;
+  if (std::ranges::find(target.stages, request.stage) == target.stages.end()) {
+    result.refusal = refuse_stage(source, request.stage, target);
+    return result;
+  }
+  adapt(source, request.stage, target);
+  Shader shader = compile(source.text, request.stage, target);
+  if (!shader.error && !shader.has_main) {
+    if (!request.module) {
+      return Diagnostic{.file = request.path,
+                        .message = "has no main(): it is a module, not a shader; use gnomonc check"};
+    }
+    result.compiled.is_module = true;
+    append_entry_point(source, shader, request.stage);
+    Shader complete = compile(source.text, request.stage, target);
+    shader.error = complete.error;
+    shader.interface = std::move(complete.interface);
+    shader.spirv = std::move(complete.spirv);
+  }
+  if (shader.error) {
+    result.refusal = refuse_text(source, *shader.error);
+    return result;
+  }
+  add_warnings(shader, source);
+  if (auto unbounded = judge_loops(shader, options, source)) return *std::move(unbounded);
+  result.compiled.reflection = complete_reflection(shader, source, options.library_directory);
+  result.refusal = make_output(shader, target, result.compiled);
+  return result;
+}
+
+}  // namespace gnomon::compiler
