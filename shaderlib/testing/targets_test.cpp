@@ -42,13 +42,15 @@ class LibraryFor : public testing::TestWithParam<std::string> {
     files_.push_back(file.string());
   }
 
-  // A program of a user's: one ready-made host with every method.
-  void compile_with_methods(const std::string& host) {
-    std::string text = "#include <gnomon/" + host + ".glsl>\n";
+  // A program of a user's: one ready-made host, with an option of it, and every method.
+  void compile_with_methods(const std::string& host, const std::string& option = "") {
+    std::string text =
+        (option.empty() ? "" : "#define " + option + "\n") + "#include <gnomon/" + host + ".glsl>\n";
     for (const Module& module : modules_) {
       if (!module.name.starts_with("host/")) text += "#include <gnomon/" + module.name + ".glsl>\n";
     }
-    const fs::path source = folder_ / ("with_" + fs::path(host).filename().string() + ".glsl");
+    const fs::path source =
+        folder_ / (fs::path(host).filename().string() + "_" + std::to_string(files_.size()) + ".glsl");
     std::ofstream(source) << text;
     compile(source.string(), source.stem().string());
   }
@@ -109,6 +111,17 @@ TEST_P(LibraryFor, EveryModuleAloneAndEveryProgram) {
     ++count;
   }
   EXPECT_GT(count, 15);
+  expect_valid();
+}
+
+TEST_P(LibraryFor, EveryOptionOfTheReadyMadeHosts) {
+  compile_with_methods("host/r16", "GNOMON_R16_INTEGER");
+  compile_with_methods("host/r16", "GNOMON_R16_SCALE 0.1");
+  compile_with_methods("host/terrain_rgb", "GNOMON_TERRARIUM");
+  compile_with_methods("host/buffer", "GNOMON_BUFFER_KIND GNOMON_BUFFER_LINEAR");
+  compile_with_methods("host/buffer", "GNOMON_HEIGHTS_SIZE ivec2(512, 256)");
+  if (!target().version_line.ends_with(" es"))
+    compile_with_methods("host/buffer", "GNOMON_BUFFER_KIND GNOMON_BUFFER_TEXTURE");
   expect_valid();
 }
 

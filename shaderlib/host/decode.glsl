@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// summary: Stored numbers to metres, for each encoding of heights the same bits on every GPU and in C++.
+// source:  docs/architecture.md, "Host contract"
+// host:    none
+// options: none
+#ifndef GNOMON_HOST_DECODE_GLSL
+#define GNOMON_HOST_DECODE_GLSL
+
+#include <gnomon/core/portable.glsl>
+
+// The integer in 0..largest that a normalised texture channel holds; exact up to 16 bits.
+int gnomon_stored_number(float channel, float largest) {
+  return int(floor(channel * largest + 0.5f));
+}
+
+// R * 65536 + G * 256 + B of channels in 0..1.
+int gnomon_stored_rgb(float red, float green, float blue) {
+  return (gnomon_stored_number(red, 255.0f) << 16) + (gnomon_stored_number(green, 255.0f) << 8) +
+         gnomon_stored_number(blue, 255.0f);
+}
+
+// stored * scale + offset, metres, for 16 bits. Only the sum rounds where `scale` has at most 8 significant bits, as any
+// power of two; else the product rounds too, and where the dialect has no `precise` a GPU may fuse the two.
+float gnomon_scaled_height(int stored, float scale, float offset) {
+  GNOMON_PRECISE float product = float(stored) * scale;
+  GNOMON_PRECISE float metres = product + offset;
+  return metres;
+}
+
+// Mapbox Terrain-RGB: -10000 + stored * 0.1 metres, rounded once. GPUs divide to a few units in the last place only, so
+// the quotient is corrected by its remainder, which is exact: both differences are of numbers within a factor of two.
+float gnomon_terrain_rgb_height(int stored) {
+  GNOMON_PRECISE float decimetres = float(stored - 100000);
+  GNOMON_PRECISE float quotient = decimetres / 10.0f;
+  GNOMON_PRECISE float remainder = (decimetres - 8.0f * quotient) - 2.0f * quotient;
+  GNOMON_PRECISE float metres = quotient + remainder * 0.1f;
+  return metres;
+}
+
+// Terrarium: stored / 256 - 32768 metres, always exact.
+float gnomon_terrarium_height(int stored) {
+  return float(stored - 8388608) * 0.00390625f;
+}
+
+#endif
