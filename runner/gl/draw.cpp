@@ -48,6 +48,17 @@ void bind_inputs(const Pass& pass) {
     glBindTextureUnit(static_cast<GLuint>(unit), texture);
     glProgramUniform1i(program, glGetUniformLocation(program, sampler.name.c_str()), unit++);
   }
+  GLuint binding = 0;
+  for (const auto& [name, buffer] : pass.buffers) {
+    const GLuint block = glGetProgramResourceIndex(program, GL_SHADER_STORAGE_BLOCK, name.c_str());
+    if (block != GL_INVALID_INDEX) {
+      glShaderStorageBlockBinding(program, block, binding);
+      glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding++, buffer->name());
+    } else {
+      glBindTextureUnit(static_cast<GLuint>(unit), buffer->view());
+      glProgramUniform1i(program, glGetUniformLocation(program, name.c_str()), unit++);
+    }
+  }
 }
 
 }  // namespace

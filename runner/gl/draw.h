@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
 
@@ -23,10 +24,17 @@ struct Sampler {
   int last_level = 0;
 };
 
+/// A buffer as the program sees it: the storage block or the samplerBuffer of this name.
+struct BufferInput {
+  std::string name;
+  const Buffer* buffer = nullptr;
+};
+
 struct Pass {
   const Program* program = nullptr;
   std::vector<std::pair<std::string, Uniform>> uniforms;  ///< a name that the program does not use is ignored
   std::vector<Sampler> samplers;                          ///< likewise
+  std::vector<BufferInput> buffers{};                     ///< likewise
   const Texture* target = nullptr;
   int target_level = 0;
 };

@@ -7,23 +7,32 @@
 #include <string>
 #include <utility>
 
+#include "gl/errors.h"
+
 namespace gnomon::gl {
 namespace {
 
 struct GlFormat {
   GLenum internal_format;
   GLenum format;
+  GLenum type;  // of a component
   int components;
 };
 
 GlFormat gl_format(Format format) {
-  return format == Format::kR32F ? GlFormat{GL_R32F, GL_RED, 1} : GlFormat{GL_RGBA32F, GL_RGBA, 4};
-}
-
-void clear_errors() {
-  // A lost context reports an error for ever: bounded.
-  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i) {
+  switch (format) {
+    case Format::kR32F:
+      break;
+    case Format::kRgba32F:
+      return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4};
+    case Format::kR16:
+      return {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 1};
+    case Format::kR16Ui:
+      return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 1};
+    case Format::kRgba8:
+      return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
   }
+  return {GL_R32F, GL_RED, GL_FLOAT, 1};
 }
 
 }  // namespace
@@ -71,10 +80,10 @@ Texture::~Texture() {
   if (name_ != 0) glDeleteTextures(1, &name_);
 }
 
-void Texture::upload(std::span<const float> values) {
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTextureSubImage2D(name_, 0, 0, 0, size_.width, size_.height, gl_format(format_).format, GL_FLOAT,
-                      values.data());
+void Texture::fill(const void* values) {
+  const GlFormat format = gl_format(format_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTextureSubImage2D(name_, 0, 0, 0, size_.width, size_.height, format.format, format.type, values);
 }
 
 std::vector<float> Texture::download(int level) const {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Two-dimensional float textures.
+// Two-dimensional textures: of floats, and of the encodings that heights are stored in.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -9,7 +10,13 @@
 
 namespace gnomon::gl {
 
-enum class Format { kR32F, kRgba32F };
+enum class Format {
+  kR32F,
+  kRgba32F,
+  kR16,    ///< 0..65535, read as 0..1
+  kR16Ui,  ///< 0..65535, read as integers
+  kRgba8   ///< 0..255, read as 0..1; linear, not sRGB
+};
 
 struct Size {
   int width = 0;
@@ -31,14 +38,19 @@ class Texture {
   [[nodiscard]] int levels() const { return levels_; }
   [[nodiscard]] Size size(int level = 0) const { return {size_.width >> level, size_.height >> level}; }
 
-  /// Fills level 0; row-major, first row at texel row 0. Needs width * height * components values.
-  void upload(std::span<const float> values);
-  /// All values of a level, row-major.
+  /// Fills level 0; row-major, first row at texel row 0. Needs width * height * components values, of the
+  /// type that the format stores: float, 16 or 8 bits.
+  void upload(std::span<const float> values) { fill(values.data()); }
+  void upload(std::span<const std::uint16_t> values) { fill(values.data()); }
+  void upload(std::span<const std::uint8_t> values) { fill(values.data()); }
+  /// All values of a level as floats, row-major; not of kR16Ui.
   [[nodiscard]] std::vector<float> download(int level = 0) const;
 
  private:
   Texture(unsigned name, Format format, Size size, int levels)
       : name_(name), format_(format), size_(size), levels_(levels) {}
+  void fill(const void* values);
+
   unsigned name_ = 0;
   Format format_ = Format::kR32F;
   Size size_;

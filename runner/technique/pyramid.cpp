@@ -49,6 +49,16 @@ Result<gl::Texture> coarser(const gl::Program& program, const gl::Texture& finer
   return heights;
 }
 
+}  // namespace
+
+Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q) {
+  const Result<const CachedProgram*> program = programs.get("programs/level.frag");
+  if (!program) return program.diagnostics();
+  Result<gl::Texture> heights = upload(base);
+  for (int level = 0; level < q && heights; ++level) heights = coarser((*program)->program, heights.value());
+  return heights;
+}
+
 Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture& heights) {
   const glm::ivec2 patches(heights.size().width + 1, heights.size().height + 1);
   const int levels = level_count(patches);
@@ -67,16 +77,6 @@ Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture&
     if (!drawn) return drawn.diagnostics();
   }
   return extrema;
-}
-
-}  // namespace
-
-Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q) {
-  const Result<const CachedProgram*> program = programs.get("programs/level.frag");
-  if (!program) return program.diagnostics();
-  Result<gl::Texture> heights = upload(base);
-  for (int level = 0; level < q && heights; ++level) heights = coarser((*program)->program, heights.value());
-  return heights;
 }
 
 Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& base, int q) {

@@ -28,6 +28,10 @@ struct Pyramid {
 /// H_q alone: its heights as a texture.
 [[nodiscard]] Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q);
 
+/// Block maxima of `heights` as Pyramid::extrema, drawn by a program that ends in programs/extrema_pass.glsl:
+/// its host function knows the encoding of `heights`.
+[[nodiscard]] Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture& heights);
+
 /// Fails where the map is larger than the driver's textures (naming the limit) or memory runs out.
 [[nodiscard]] Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& base, int q);
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "gl/draw.h"
 #include "technique/technique.h"
 #include "technique/view.h"
 
@@ -97,25 +96,35 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramid& pyrami
                                    const terrain::HeightMap& base, double* draw_seconds) {
   const Result<const CachedProgram*> program = programs.get(find_technique(scene.shadow.method)->program);
   if (!program) return program.diagnostics();
+  const ShadowProgram with{
+      .program = *program,
+      .samplers = {
+          {.name = "gnomon_heights", .texture = &pyramid.heights},
+          {.name = "gnomon_extrema", .texture = &pyramid.extrema, .last_level = pyramid.top_level() - 1}}};
+  return render_shadow_with(with, pyramid, scene, base, draw_seconds);
+}
+
+Result<image::Image> render_shadow_with(const ShadowProgram& with, const Pyramid& pyramid,
+                                        const scene::Scene& scene, const terrain::HeightMap& base,
+                                        double* draw_seconds) {
   const MapView view = map_view(scene.camera, base);
   const gl::Size tile_size{std::min(kTile, view.size.x), std::min(kTile, view.size.y)};
   const Result<gl::Texture> target = gl::Texture::create(gl::Format::kRgba32F, tile_size);
   if (!target) return target.diagnostics();
 
   image::Image image = empty_image(view, pyramid.q);
-  image.attributes["gnomon:shader_hash"] = (*program)->shader_hash;
-  image.attributes["gnomon:program_hash"] = (*program)->program_hash;
+  image.attributes["gnomon:shader_hash"] = with.program->shader_hash;
+  image.attributes["gnomon:program_hash"] = with.program->program_hash;
   double seconds = 0;
   for (const Tile& tile : tiles_of(view.size, kTile)) {
     Uniforms uniforms = uniforms_of(pyramid, scene, view);
     uniforms.emplace_back("u_first_pixel", glm::vec2(tile.x, tile.y));
+    uniforms.insert(uniforms.end(), with.uniforms.begin(), with.uniforms.end());
     const auto begin = std::chrono::steady_clock::now();
-    const Result<Done> drawn = gl::draw({.program = &(*program)->program,
+    const Result<Done> drawn = gl::draw({.program = &with.program->program,
                                          .uniforms = std::move(uniforms),
-                                         .samplers = {{.name = "gnomon_heights", .texture = &pyramid.heights},
-                                                      {.name = "gnomon_extrema",
-                                                       .texture = &pyramid.extrema,
-                                                       .last_level = pyramid.top_level() - 1}},
+                                         .samplers = with.samplers,
+                                         .buffers = with.buffers,
                                          .target = &target.value()});
     seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (!drawn) return drawn.diagnostics();

@@ -27,14 +27,19 @@ float gnomon_scaled_height(int stored, float scale, float offset) {
   return metres;
 }
 
-// Mapbox Terrain-RGB: -10000 + stored * 0.1 metres, rounded once. GPUs divide to a few units in the last place only, so
-// the quotient is corrected by its remainder, which is exact: both differences are of numbers within a factor of two.
+// whole / 10 rounded once, from a quotient that is off by a few units in the last place, as GPUs divide. |whole| is an
+// integer below 2^24. The remainder is exact: both differences are of numbers within a factor of two.
+float gnomon_exact_tenth(float whole, float quotient) {
+  GNOMON_PRECISE float most = whole - 8.0f * quotient;
+  GNOMON_PRECISE float remainder = most - 2.0f * quotient;
+  GNOMON_PRECISE float tenth = quotient + remainder * 0.1f;
+  return tenth;
+}
+
+// Mapbox Terrain-RGB: -10000 + stored * 0.1 metres, rounded once.
 float gnomon_terrain_rgb_height(int stored) {
-  GNOMON_PRECISE float decimetres = float(stored - 100000);
-  GNOMON_PRECISE float quotient = decimetres / 10.0f;
-  GNOMON_PRECISE float remainder = (decimetres - 8.0f * quotient) - 2.0f * quotient;
-  GNOMON_PRECISE float metres = quotient + remainder * 0.1f;
-  return metres;
+  float decimetres = float(stored - 100000);
+  return gnomon_exact_tenth(decimetres, decimetres / 10.0f);
 }
 
 // Terrarium: stored / 256 - 32768 metres, always exact.

@@ -4,7 +4,8 @@
 // host:    defines gnomon_host_height, gnomon_host_extrema
 // options: GNOMON_HEIGHTS (gnomon_heights): name of the height sampler; GNOMON_EXTREMA (gnomon_extrema): of the extrema;
 //          GNOMON_R16_INTEGER (off): R16UI and a usampler2D, as OpenGL ES and WebGL have R16 by extension only;
-//          GNOMON_R16_SCALE (1.0), GNOMON_R16_OFFSET (0.0): metres = stored * scale + offset, literals or names of floats
+//          GNOMON_R16_SCALE (1.0): metres = stored * scale + offset, a literal or the name of a float;
+//          GNOMON_R16_OFFSET (0.0): likewise, metres
 #ifndef GNOMON_HOST_R16_GLSL
 #define GNOMON_HOST_R16_GLSL
 

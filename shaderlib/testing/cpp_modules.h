@@ -23,6 +23,7 @@ namespace glsl {
 using namespace glm;
 
 #include <gnomon/baseline/brute_force.glsl>
+#include <gnomon/host/decode.glsl>
 #include <gnomon/relief/extrema.glsl>
 #include <gnomon/relief/multilevel.glsl>
 #include <gnomon/relief/shade.glsl>

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -123,6 +124,25 @@ TEST_P(LibraryFor, EveryOptionOfTheReadyMadeHosts) {
   if (!target().version_line.ends_with(" es"))
     compile_with_methods("host/buffer", "GNOMON_BUFFER_KIND GNOMON_BUFFER_TEXTURE");
   expect_valid();
+}
+
+// "storage", or the type of the sampler.
+std::string kind_of_buffer(const std::string& target) {
+  const auto compiled =
+      check(kLibrary + "/host/buffer.glsl", {.library_directory = kLibrary, .target = target});
+  if (!compiled) return to_string(compiled.diagnostics().front());
+  const Reflection& reflection = compiled->reflection;
+  const auto block = std::ranges::find(reflection.blocks, "gnomon_heights", &Block::name);
+  if (block != reflection.blocks.end()) return block->is_storage ? "storage" : "uniform";
+  const auto texture = std::ranges::find(reflection.textures, "gnomon_heights", &Variable::name);
+  return texture == reflection.textures.end() ? "nothing" : texture->type;
+}
+
+TEST(HostBuffer, TakesTheFirstKindThatTheDialectHas) {
+  for (const char* target : {"glsl450", "essl310", "vulkan", "opengl", "hlsl50", "msl21"})
+    EXPECT_EQ(kind_of_buffer(target), "storage") << target;
+  EXPECT_EQ(kind_of_buffer("glsl330"), "samplerBuffer");
+  EXPECT_EQ(kind_of_buffer("essl300"), "sampler2D");
 }
 
 std::vector<std::string> target_names() {
