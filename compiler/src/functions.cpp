@@ -70,6 +70,7 @@ class TypeReader {
 
   Type structure(const glslang::TType& from) {
     Type type{Type::Kind::kComposite, from.getTypeName().c_str(), {}};
+    if (type.name.empty()) type.name = "struct";
     for (const glslang::TTypeLoc& member : *from.getStruct()) {
       if (scalars_ >= kMostScalars) break;
       type.parts.push_back({std::string(".") + member.type->getFieldName().c_str(), read(*member.type)});

@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <set>
 #include <string_view>
 
@@ -16,14 +15,20 @@
 namespace gnomon::compiler {
 namespace {
 
-// Names that GLSL lets a variable have and C++ does not.
-constexpr std::array<std::string_view, 44> kKeywords = {
-    "alignas",   "alignof",    "and",      "and_eq",    "auto",      "bitand",   "bitor",     "catch",
-    "char",      "char8_t",    "char16_t", "char32_t",  "compl",     "concept",  "consteval", "constexpr",
-    "constinit", "const_cast", "co_await", "co_return", "co_yield",  "decltype", "delete",    "explicit",
-    "export",    "friend",     "mutable",  "new",       "noexcept",  "not",      "not_eq",    "nullptr",
-    "operator",  "or",         "or_eq",    "private",   "protected", "register", "requires",  "signed",
-    "throw",     "try",        "virtual",  "xor"};
+// Names that GLSL lets a variable have and that mean something else in C++ or in the header itself.
+constexpr std::array<std::string_view, 59> kTaken = {
+    "NULL",         "Member",     "Variable",      "alignas",     "alignof",
+    "all",          "and",        "and_eq",        "auto",        "bitand",
+    "bitor",        "catch",      "char",          "char16_t",    "char32_t",
+    "char8_t",      "co_await",   "co_return",     "co_yield",    "compl",
+    "concept",      "const_cast", "consteval",     "constexpr",   "constinit",
+    "decltype",     "delete",     "dynamic_cast",  "explicit",    "export",
+    "friend",       "linux",      "mutable",       "new",         "noexcept",
+    "not",          "not_eq",     "nullptr",       "operator",    "or",
+    "or_eq",        "private",    "protected",     "register",    "reinterpret_cast",
+    "requires",     "signed",     "static_assert", "static_cast", "std",
+    "thread_local", "throw",      "try",           "typeid",      "typename",
+    "unix",         "virtual",    "wchar_t",       "xor"};
 
 // A C++ identifier for a GLSL name ("light.position", "lights[1]"), other than those given before.
 class Names {
@@ -32,7 +37,7 @@ class Names {
     std::string identifier;
     for (const char c : name) identifier += is_word_character(c) ? c : '_';
     if (identifier.empty() || (identifier[0] >= '0' && identifier[0] <= '9')) identifier.insert(0, 1, '_');
-    if (std::ranges::find(kKeywords, identifier) != kKeywords.end()) identifier += '_';
+    if (std::ranges::find(kTaken, identifier) != kTaken.end()) identifier += '_';
     while (!given_.insert(identifier).second) identifier += '_';
     return identifier;
   }
@@ -63,7 +68,7 @@ std::string text_constant(std::string_view text) {
   if (text.size() > kLongestLiteral) {
     code = fmt::format("inline constexpr char source_bytes[] = {{");
     for (size_t i = 0; i < text.size(); ++i)
-      code += fmt::format("{}{},", i % 24 == 0 ? "\n    " : "", static_cast<int>(text[i]));
+      code += fmt::format("{}'\\{:03o}',", i % 16 == 0 ? "\n    " : "", static_cast<unsigned char>(text[i]));
     return code +
            fmt::format("\n}};\ninline constexpr std::string_view source(source_bytes, {});\n", text.size());
   }
@@ -103,7 +108,6 @@ std::string of_variable(const std::string& identifier, const Variable& v) {
 // A namespace with a constant for each variable and `all` of them.
 std::string list_of_variables(std::string_view name, const std::vector<Variable>& variables) {
   Names names;
-  names("all");
   std::string code = fmt::format("namespace {} {{\n", name);
   std::string all;
   for (const Variable& variable : variables) {
@@ -115,19 +119,24 @@ std::string list_of_variables(std::string_view name, const std::vector<Variable>
   return code + fmt::format("}}  // namespace {}\n", name);
 }
 
+std::string of_member(const std::string& identifier, const Member& m) {
+  return fmt::format("inline constexpr Member {}{{{}, {}, {}, {}, {}, {}, {}}};\n", identifier,
+                     literal_of(m.name), literal_of(m.type), or_none(m.offset), m.array_size,
+                     or_none(m.array_stride), or_none(m.matrix_stride), m.is_row_major);
+}
+
 std::string of_block(const std::string& identifier, const Block& block) {
   Names names;
-  for (const char* own : {"name", "is_storage", "size", "set", "binding"}) names(own);
-  std::string code = fmt::format(
-      "namespace {} {{\ninline constexpr std::string_view name = {};\ninline constexpr bool is_storage = "
-      "{};\n"
-      "inline constexpr int size = {};\ninline constexpr int set = {};\ninline constexpr int binding = {};\n",
-      identifier, literal_of(block.name), block.is_storage, block.size, or_none(block.set),
-      or_none(block.binding));
-  for (const Member& m : block.members) {
-    code += fmt::format("inline constexpr Member {}{{{}, {}, {}, {}, {}}};\n", names(m.name),
-                        literal_of(m.name), literal_of(m.type), m.offset, m.array_size, m.array_stride);
-  }
+  std::string code = fmt::format("namespace {} {{\n", identifier);
+  const auto add_number = [&](const char* name, int number) {
+    code += fmt::format("inline constexpr int {} = {};\n", names(name), number);
+  };
+  code += fmt::format("inline constexpr std::string_view {} = {};\n", names("name"), literal_of(block.name));
+  add_number("array_size", block.array_size);
+  add_number("size", or_none(block.size));
+  add_number("set", or_none(block.set));
+  add_number("binding", or_none(block.binding));
+  for (const Member& member : block.members) code += of_member(names(member.name), member);
   return code + fmt::format("}}  // namespace {}\n", identifier);
 }
 
@@ -144,6 +153,13 @@ std::string of_target(const Compiled& compiled) {
   Names names;
   for (const Block& block : reflection.blocks) code += of_block(names(block.name), block);
   code += "}  // namespace blocks\n";
+  if (!reflection.constants.empty()) {
+    Names constants;
+    code += "namespace constants {  // identifiers of specialization constants\n";
+    for (const SpecializationConstant& constant : reflection.constants)
+      code += fmt::format("inline constexpr int {} = {};\n", constants(constant.name), constant.id);
+    code += "}  // namespace constants\n";
+  }
   if (reflection.local_size.size() == 3) {
     code += fmt::format("inline constexpr std::array<int, 3> local_size = {{{}, {}, {}}};\n",
                         reflection.local_size[0], reflection.local_size[1], reflection.local_size[2]);
@@ -152,7 +168,7 @@ std::string of_target(const Compiled& compiled) {
 }
 
 constexpr std::string_view kTypes = R"(
-// -1: the target has none, bind by name. array_size 0: no array.
+// -1: there is none; without a location or binding the host binds by name. array_size 0: no array.
 struct Variable {
   std::string_view name;
   std::string_view type;
@@ -161,25 +177,25 @@ struct Variable {
   int set;
   int binding;
 };
-// Offset and stride in bytes.
+// Offset and strides in bytes.
 struct Member {
   std::string_view name;
   std::string_view type;
   int offset;
   int array_size;
   int array_stride;
+  int matrix_stride;
+  bool is_row_major;
 };
 )";
 
 }  // namespace
 
-std::string header_text(const std::string& path, const std::vector<Compiled>& embedded) {
-  const std::string file = std::filesystem::path(path).filename().string();
+std::string header_text(const std::string& file, const std::string& wanted_name,
+                        const std::vector<Compiled>& embedded) {
   Names names;
-  const std::string name = names(file);
-  std::string guard = "GNOMON_SHADERS_" + name + "_H";
-  std::ranges::transform(guard, guard.begin(),
-                         [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  const std::string name = names(wanted_name.empty() ? file : wanted_name);
+  const std::string guard = "GNOMON_SHADERS_" + name + "_H";
   std::string code = fmt::format(
       "// Made by gnomonc from {}: change that file instead.\n#ifndef {}\n#define {}\n\n#include <array>\n"
       "#include <cstdint>\n#include <string_view>\n\nnamespace gnomon_shaders::{} {{\n",

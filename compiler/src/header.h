@@ -9,8 +9,10 @@
 
 namespace gnomon::compiler {
 
-/// A C++17 header, self-contained: namespace gnomon_shaders::<name of the file>, in it a namespace for each
-/// target with its output (`source`, or `spirv` as words) and its reflection as constants.
-[[nodiscard]] std::string header_text(const std::string& path, const std::vector<Compiled>& embedded);
+/// A C++17 header, self-contained: namespace gnomon_shaders::<name>, by default the name of the shader's
+/// file, in it a namespace for each target with its output (`source`, or `spirv` as words) and its reflection
+/// as constants.
+[[nodiscard]] std::string header_text(const std::string& file, const std::string& name,
+                                      const std::vector<Compiled>& embedded);
 
 }  // namespace gnomon::compiler

@@ -6,7 +6,7 @@
 
 class TIntermNode;
 namespace glslang {
-class TProgram;
+class TIntermediate;
 class TType;
 }  // namespace glslang
 
@@ -21,7 +21,12 @@ void find_functions(TIntermNode& root, Shader& shader);
 /// Takes a type apart.
 [[nodiscard]] Type read_type(const glslang::TType& type);
 
-/// Inputs, outputs, uniforms, textures, blocks and the size of a work group of a linked program.
-[[nodiscard]] Reflection read_interface(glslang::TProgram& program, Stage stage, const Target& target);
+/// The name of a type, of the elements of an array: "vec3" for vec3[4].
+[[nodiscard]] std::string element_name(const glslang::TType& type);
+
+/// Active inputs, outputs, uniforms, textures and blocks, constants, and the size of a work group, of the
+/// linked code of a stage.
+[[nodiscard]] Reflection read_interface(const glslang::TIntermediate& code, Stage stage,
+                                        const Target& target);
 
 }  // namespace gnomon::compiler

@@ -1,81 +1,169 @@
 // SPDX-License-Identifier: MIT
-#include <glslang/MachineIndependent/localintermediate.h>
-#include <glslang/Public/ShaderLang.h>
+#include <glslang/MachineIndependent/LiveTraverser.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <tuple>
 
+#include "block_layout.h"
 #include "inspect.h"
 
 namespace gnomon::compiler {
 namespace {
 
-using glslang::TObjectReflection;
+using glslang::TIntermSymbol;
 using glslang::TQualifier;
 using glslang::TType;
 
-std::optional<int> location_of(const TType& type) {
-  const TQualifier& qualifier = type.getQualifier();
-  if (!qualifier.hasLocation()) return std::nullopt;
-  return static_cast<int>(qualifier.layoutLocation);
-}
+// What the code that main() reaches uses of the outside world.
+class Uses : public glslang::TLiveTraverser {
+ public:
+  explicit Uses(const glslang::TIntermediate& code) : TLiveTraverser(code) {
+    pushFunction(code.getEntryPointMangledName().c_str());
+    for (TIntermNode* global : code.getTreeRoot()->getAsAggregate()->getSequence()) {
+      const glslang::TIntermAggregate* aggregate = global->getAsAggregate();
+      const bool is_initializer = aggregate == nullptr || aggregate->getOp() == glslang::EOpSequence;
+      if (is_initializer) global->traverse(this);
+    }
+    while (!destinations.empty()) {
+      TIntermNode* function = destinations.back();
+      destinations.pop_back();
+      function->traverse(this);
+    }
+  }
 
-std::optional<int> set_of(const TType& type, const Target& target) {
-  if (target.rules != Rules::kVulkan) return std::nullopt;
-  const TQualifier& qualifier = type.getQualifier();
-  return qualifier.hasSet() ? static_cast<int>(qualifier.layoutSet) : 0;
-}
+  void visitSymbol(TIntermSymbol* node) override { symbols.emplace(node->getName().c_str(), node); }
+  bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
+    const glslang::TIntermTyped* owner = node->getLeft();
+    while (owner->getAsBinaryNode() != nullptr) owner = owner->getAsBinaryNode()->getLeft();
+    const auto* index = node->getRight()->getAsConstantUnion();
+    if (node->getOp() == glslang::EOpIndexDirectStruct && owner->getAsSymbolNode() != nullptr &&
+        index != nullptr)
+      members[owner->getAsSymbolNode()->getName().c_str()].insert(index->getConstArray()[0].getIConst());
+    return true;
+  }
 
-std::optional<int> binding_of(const TType& type) {
-  const TQualifier& qualifier = type.getQualifier();
-  if (!qualifier.hasBinding()) return std::nullopt;
-  return static_cast<int>(qualifier.layoutBinding);
-}
+  std::map<std::string, TIntermSymbol*> symbols;
+  std::map<std::string, std::set<int>> members;  // that are named, of blocks and structures
+};
 
 int array_size_of(const TType& type) {
   return type.isSizedArray() ? type.getOuterArraySize() : 0;
 }
 
-// "vec3" of a vec3[4].
-std::string element_name(const TType& type) {
-  if (!type.isArray()) return read_type(type).name;
-  return read_type(TType(type, 0)).name;
-}
+class InterfaceReader {
+ public:
+  InterfaceReader(const Target& target, Reflection& into) : target_(target), into_(into) {}
 
-Variable read_variable(const TObjectReflection& object) {
-  const TType& type = *object.getType();
-  return {.name = object.name,
-          .type = element_name(type),
-          .array_size = array_size_of(type),
-          .location = location_of(type)};
-}
+  void read(const Uses& uses) {
+    for (const auto& [name, symbol] : uses.symbols) {
+      const TType& type = symbol->getType();
+      const TQualifier& qualifier = type.getQualifier();
+      if (qualifier.isPipeInput() || qualifier.isPipeOutput()) {
+        read_pipe(name, type, uses, qualifier.isPipeInput() ? into_.inputs : into_.outputs);
+      } else if (qualifier.isUniformOrBuffer()) {
+        read_uniform(name, type);
+      } else if (qualifier.hasSpecConstantId()) {
+        into_.constants.push_back(
+            {name, element_name(type), static_cast<int>(qualifier.layoutSpecConstantId)});
+      }
+    }
+  }
 
-Variable read_uniform(const TObjectReflection& object, const Target& target) {
-  Variable variable = read_variable(object);
-  const TType& type = *object.getType();
-  if (!type.isOpaque()) return variable;
-  variable.set = set_of(type, target);
-  variable.binding = binding_of(type);
-  return variable;
-}
+ private:
+  static void read_pipe(const std::string& name, const TType& type, const Uses& uses,
+                        std::vector<Variable>& list) {
+    const bool is_block = type.getBasicType() == glslang::EbtBlock;
+    const bool is_builtin = is_block && type.getTypeName().compare(0, 3, "gl_") == 0;
+    if (!is_builtin) {
+      const bool is_anonymous = name.starts_with("anon@");
+      list.push_back(variable(is_anonymous ? type.getTypeName().c_str() : name, type));
+      list.back().location = location_of(type);
+      return;
+    }
+    const auto used = uses.members.find(name);
+    if (used == uses.members.end()) return;
+    for (const int member : used->second) {
+      const TType& field = *(*type.getStruct())[static_cast<size_t>(member)].type;
+      list.push_back(variable(field.getFieldName().c_str(), field));
+    }
+  }
 
-Block read_block(const TObjectReflection& object, bool is_storage, const Target& target) {
-  const TType& type = *object.getType();
-  return {.name = object.name,
-          .is_storage = is_storage,
-          .size = object.size,
-          .set = set_of(type, target),
-          .binding = binding_of(type)};
-}
+  void read_uniform(const std::string& name, const TType& type) {
+    if (type.getBasicType() == glslang::EbtBlock) {
+      into_.blocks.push_back(block(type));
+    } else {
+      std::optional<int> location = location_of(type);
+      flatten(name, type, type.getQualifier(), location);
+    }
+  }
 
-Member read_member(const TObjectReflection& object) {
-  const TType& type = *object.getType();
-  return {.name = object.name,
-          .type = element_name(type),
-          .offset = object.offset,
-          .array_size = array_size_of(type),
-          .array_stride = object.arrayStride};
-}
+  // A structure's members each, since the host sets them each.
+  void flatten(const std::string& name, const TType& type, const TQualifier& qualifier,
+               std::optional<int>& location) {
+    if (!type.isStruct()) return add_uniform(variable(name, type), type, qualifier, location);
+    if (type.isArray()) {
+      const TType element(type, 0);
+      for (int i = 0; i < type.getOuterArraySize(); ++i)
+        flatten(name + "[" + std::to_string(i) + "]", element, qualifier, location);
+      return;
+    }
+    for (const glslang::TTypeLoc& member : *type.getStruct())
+      flatten(name + "." + member.type->getFieldName().c_str(), *member.type, qualifier, location);
+  }
+
+  void add_uniform(Variable uniform, const TType& type, const TQualifier& qualifier,
+                   std::optional<int>& location) {
+    uniform.location = location;
+    if (location) *location += std::max(uniform.array_size, 1);
+    if (!type.isOpaque()) return into_.uniforms.push_back(std::move(uniform));
+    uniform.set = set_of(qualifier);
+    uniform.binding = binding_of(qualifier);
+    if (qualifier.hasAttachment())
+      uniform.input_attachment_index = static_cast<int>(qualifier.layoutAttachment);
+    into_.textures.push_back(std::move(uniform));
+  }
+
+  [[nodiscard]] Block block(const TType& type) const {
+    const TQualifier& qualifier = type.getQualifier();
+    Block block{.name = type.getTypeName().c_str(), .array_size = array_size_of(type)};
+    if (qualifier.storage == glslang::EvqBuffer) block.kind = BlockKind::kStorage;
+    if (qualifier.isPushConstant()) {
+      block.kind = BlockKind::kPushConstant;
+    } else {
+      block.set = set_of(qualifier);
+      block.binding = binding_of(qualifier);
+    }
+    const bool is_fixed = target_.rules != Rules::kOpenGl || qualifier.layoutPacking == glslang::ElpStd140 ||
+                          qualifier.layoutPacking == glslang::ElpStd430;
+    read_members(type, is_fixed, block);
+    return block;
+  }
+
+  static Variable variable(const std::string& name, const TType& type) {
+    return {.name = name, .type = element_name(type), .array_size = array_size_of(type)};
+  }
+
+  static std::optional<int> location_of(const TType& type) {
+    const TQualifier& qualifier = type.getQualifier();
+    if (!qualifier.hasLocation()) return std::nullopt;
+    return static_cast<int>(qualifier.layoutLocation);
+  }
+
+  [[nodiscard]] std::optional<int> set_of(const TQualifier& qualifier) const {
+    if (target_.rules != Rules::kVulkan) return std::nullopt;
+    return qualifier.hasSet() ? static_cast<int>(qualifier.layoutSet) : 0;
+  }
+
+  static std::optional<int> binding_of(const TQualifier& qualifier) {
+    if (!qualifier.hasBinding()) return std::nullopt;
+    return static_cast<int>(qualifier.layoutBinding);
+  }
+
+  const Target& target_;
+  Reflection& into_;
+};
 
 void sort_by_location(std::vector<Variable>& variables) {
   std::ranges::sort(variables, [](const Variable& a, const Variable& b) {
@@ -85,66 +173,23 @@ void sort_by_location(std::vector<Variable>& variables) {
   });
 }
 
-class InterfaceReader {
- public:
-  InterfaceReader(glslang::TProgram& program, const Target& target) : program_(program), target_(target) {}
-
-  void read_uniforms(Reflection& into) {
-    for (int i = 0; i < program_.getNumUniformBlocks(); ++i)
-      into.blocks.push_back(read_block(program_.getUniformBlock(i), false, target_));
-    const auto uniform_blocks = static_cast<int>(into.blocks.size());
-    for (int i = 0; i < program_.getNumBufferBlocks(); ++i)
-      into.blocks.push_back(read_block(program_.getBufferBlock(i), true, target_));
-    for (int i = 0; i < program_.getNumUniformVariables(); ++i) {
-      const TObjectReflection& object = program_.getUniform(i);
-      if (object.index >= 0 && object.index < uniform_blocks) {
-        into.blocks[static_cast<size_t>(object.index)].members.push_back(read_member(object));
-      } else {
-        auto& list = object.getType()->isOpaque() ? into.textures : into.uniforms;
-        list.push_back(read_uniform(object, target_));
-      }
-    }
-    for (int i = 0; i < program_.getNumBufferVariables(); ++i) {
-      const TObjectReflection& object = program_.getBufferVariable(i);
-      const auto block = static_cast<size_t>(uniform_blocks + object.index);
-      if (object.index >= 0 && block < into.blocks.size())
-        into.blocks[block].members.push_back(read_member(object));
-    }
-  }
-
-  void read_inputs_and_outputs(Reflection& into) {
-    for (int i = 0; i < program_.getNumPipeInputs(); ++i)
-      into.inputs.push_back(read_variable(program_.getPipeInput(i)));
-    for (int i = 0; i < program_.getNumPipeOutputs(); ++i)
-      into.outputs.push_back(read_variable(program_.getPipeOutput(i)));
-    sort_by_location(into.inputs);
-    sort_by_location(into.outputs);
-  }
-
- private:
-  glslang::TProgram& program_;
-  const Target& target_;
-};
-
 }  // namespace
 
-Reflection read_interface(glslang::TProgram& program, Stage stage, const Target& target) {
+std::string element_name(const TType& type) {
+  return type.isArray() ? read_type(TType(type, 0)).name : read_type(type).name;
+}
+
+Reflection read_interface(const glslang::TIntermediate& code, Stage stage, const Target& target) {
   Reflection reflection{.target = target.name, .stage = stage};
-  // IntermediateIO: inputs and outputs of a single stage, whichever it is.
-  program.buildReflection(EShReflectionStrictArraySuffix | EShReflectionIntermediateIO |
-                          EShReflectionSeparateBuffers | EShReflectionAllBlockVariables |
-                          EShReflectionUnwrapIOBlocks);
-  InterfaceReader reader(program, target);
-  reader.read_uniforms(reflection);
-  reader.read_inputs_and_outputs(reflection);
+  InterfaceReader(target, reflection).read(Uses(code));
+  sort_by_location(reflection.inputs);
+  sort_by_location(reflection.outputs);
   std::ranges::sort(reflection.uniforms, {}, &Variable::name);
   std::ranges::sort(reflection.textures, {}, &Variable::name);
   std::ranges::sort(reflection.blocks, {}, &Block::name);
-  for (Block& block : reflection.blocks) std::ranges::stable_sort(block.members, {}, &Member::offset);
-  if (stage == Stage::kCompute) {
-    for (int dimension = 0; dimension < 3; ++dimension)
-      reflection.local_size.push_back(static_cast<int>(program.getLocalSize(dimension)));
-  }
+  std::ranges::sort(reflection.constants, {}, &SpecializationConstant::id);
+  for (int dimension = 0; stage == Stage::kCompute && dimension < 3; ++dimension)
+    reflection.local_size.push_back(static_cast<int>(code.getLocalSize(dimension)));
   return reflection;
 }
 

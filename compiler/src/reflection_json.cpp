@@ -22,14 +22,34 @@ Json of(const Variable& variable) {
   put(json, "location", variable.location);
   put(json, "set", variable.set);
   put(json, "binding", variable.binding);
+  put(json, "input_attachment_index", variable.input_attachment_index);
   return json;
 }
 
 Json of(const Member& member) {
-  Json json = {{"name", member.name}, {"type", member.type}, {"offset", member.offset}};
+  Json json = {{"name", member.name}, {"type", member.type}};
+  put(json, "offset", member.offset);
   put_array(json, member.array_size);
-  if (member.array_stride > 0) json["array_stride"] = member.array_stride;
+  put(json, "array_stride", member.array_stride);
+  put(json, "matrix_stride", member.matrix_stride);
+  if (member.is_row_major) json["row_major"] = true;
   return json;
+}
+
+Json of(const SpecializationConstant& constant) {
+  return {{"name", constant.name}, {"type", constant.type}, {"id", constant.id}};
+}
+
+const char* name_of(BlockKind kind) {
+  switch (kind) {
+    case BlockKind::kStorage:
+      return "storage";
+    case BlockKind::kPushConstant:
+      return "push_constant";
+    case BlockKind::kUniform:
+      break;
+  }
+  return "uniform";
 }
 
 Json of(const Block& block);
@@ -50,8 +70,9 @@ Json list_of(const std::vector<T>& items) {
 }
 
 Json of(const Block& block) {
-  Json json = {
-      {"name", block.name}, {"kind", block.is_storage ? "storage" : "uniform"}, {"size", block.size}};
+  Json json = {{"name", block.name}, {"kind", name_of(block.kind)}};
+  put_array(json, block.array_size);
+  put(json, "size", block.size);
   put(json, "set", block.set);
   put(json, "binding", block.binding);
   json["members"] = list_of(block.members);
@@ -69,6 +90,7 @@ std::string to_json(const Reflection& reflection) {
   json["uniforms"] = list_of(reflection.uniforms);
   json["textures"] = list_of(reflection.textures);
   json["blocks"] = list_of(reflection.blocks);
+  if (!reflection.constants.empty()) json["constants"] = list_of(reflection.constants);
   json["host_functions"] = list_of(reflection.host_functions);
   json["options"] = list_of(reflection.options);
   if (!reflection.local_size.empty()) json["local_size"] = reflection.local_size;

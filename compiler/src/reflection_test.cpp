@@ -2,6 +2,10 @@
 // What the reflection says of a shader, for targets that number things and for those that name them.
 #include "gnomon/compiler/reflection.h"
 
+#include <array>
+#include <map>
+#include <spirv_cross/spirv_cross.hpp>
+
 #include "gnomon/compiler/compiler.h"
 #include "temporary_tree.h"
 
@@ -62,18 +66,123 @@ TEST_F(Reflected, BlocksHaveOffsetsByStd140) {
     const Reflection r = reflect(target, "a.frag", kFragment);
     const Block& block = r.blocks.front();
     EXPECT_EQ(block.name, "Lights");
-    EXPECT_FALSE(block.is_storage);
+    EXPECT_EQ(block.kind, BlockKind::kUniform);
     EXPECT_EQ(block.size, 2 * 16 + 64 + 3 * 16);
-    ASSERT_EQ(block.members.size(), 6u) << target;
-    EXPECT_EQ(block.members[1].name, "lights[0].power");
-    EXPECT_EQ(block.members[1].offset, 12);
-    EXPECT_EQ(block.members[2].offset, 16);
-    EXPECT_EQ(block.members[4].name, "to_world");
-    EXPECT_EQ(block.members[4].offset, 32);
-    EXPECT_EQ(block.members[5].offset, 96);
-    EXPECT_EQ(block.members[5].array_size, 3);
-    EXPECT_EQ(block.members[5].array_stride, 16);
+    ASSERT_EQ(block.members.size(), 5u) << target;
+    EXPECT_EQ(block.members[0].name, "lights");
+    EXPECT_EQ(block.members[0].array_stride, 16);
+    EXPECT_EQ(block.members[2].name, "lights[0].power");
+    EXPECT_EQ(block.members[2].offset, 12);
+    EXPECT_EQ(block.members[3].name, "to_world");
+    EXPECT_EQ(block.members[3].offset, 32);
+    EXPECT_EQ(block.members[3].matrix_stride, 16);
+    EXPECT_EQ(block.members[4].offset, 96);
+    EXPECT_EQ(block.members[4].array_size, 3);
+    EXPECT_EQ(block.members[4].array_stride, 16);
   }
+}
+
+// Every number of a block's member as SPIR-V has it, read by SPIRV-Cross.
+class Decorations {
+ public:
+  explicit Decorations(const std::string& spirv)
+      : compiler_(reinterpret_cast<const std::uint32_t*>(spirv.data()), spirv.size() / 4) {
+    for (const auto& block : compiler_.get_shader_resources().uniform_buffers)
+      add(compiler_.get_type(block.base_type_id), "", 0);
+  }
+  std::map<std::string, std::array<int, 3>> members;  // offset, array stride, matrix stride; 0: none
+
+ private:
+  void add(const spirv_cross::SPIRType& block, const std::string& prefix, int base) {
+    for (std::uint32_t i = 0; i < block.member_types.size(); ++i) {
+      const spirv_cross::SPIRType& type = compiler_.get_type(block.member_types[i]);
+      const std::string name = prefix + compiler_.get_member_name(block.self, i);
+      const int offset = base + static_cast<int>(compiler_.type_struct_member_offset(block, i));
+      const bool is_array = !type.array.empty();
+      members[name] = {
+          offset, is_array ? static_cast<int>(compiler_.type_struct_member_array_stride(block, i)) : 0,
+          type.columns > 1 ? static_cast<int>(compiler_.type_struct_member_matrix_stride(block, i)) : 0};
+      if (type.basetype == spirv_cross::SPIRType::Struct) add(type, name + (is_array ? "[0]." : "."), offset);
+    }
+  }
+  spirv_cross::Compiler compiler_;
+};
+
+TEST_F(Reflected, BytesOfBlocksAreThoseOfTheSpirv) {
+  const std::string source =
+      "struct L { vec3 p; float r[2]; mat3 m; float last; };\nuniform float w[4]; uniform mat2 n[2]; uniform "
+      "L one;\n"
+      "uniform L lights[3]; uniform bool flag; uniform mat3x2 wide;\n"
+      "layout(std140, row_major) uniform B { float a; mat2x3 rows; L inner[2]; layout(offset = 512) vec2 "
+      "far; };\n"
+      "layout(location = 0) out vec4 o;\n"
+      "void main() { o = vec4(w[1] + n[1][0].x + one.r[1] + lights[2].m[0].x + a + inner[1].last + far.x +\n"
+      "  (flag ? wide[0].x : rows[0].x)); }\n";
+  options.target = "vulkan";
+  const auto built = build(tree.file("a.frag", source), options);
+  ASSERT_TRUE(built) << to_string(built.diagnostics().front());
+  const Decorations expected(built->output);
+  size_t count = 0;
+  for (const Block& block : built->reflection.blocks) {
+    for (const Member& m : block.members) {
+      ASSERT_TRUE(expected.members.contains(m.name)) << m.name;
+      const std::array numbers = {m.offset.value_or(0), m.array_stride.value_or(0),
+                                  m.matrix_stride.value_or(0)};
+      EXPECT_EQ(numbers, expected.members.at(m.name)) << m.name;
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, expected.members.size());
+}
+
+TEST_F(Reflected, TheDriverLaysOutOtherBlocksOfGlsl) {
+  const std::string source =
+      "uniform B { float a[3]; vec3 v; }; out vec4 o; void main() { o = vec4(a[1] + v.x); }";
+  const Block block = reflect("glsl330", "a.frag", source).blocks.at(0);
+  EXPECT_EQ(block.size, std::nullopt);
+  EXPECT_EQ(block.members.at(1).offset, std::nullopt);
+  EXPECT_EQ(block.members.at(0).array_size, 3);
+  EXPECT_EQ(reflect("opengl", "a.frag", source).blocks.at(0).size, 60);
+}
+
+TEST_F(Reflected, OnlyWhatIsUsedIsListed) {
+  const Reflection r = reflect("glsl450", "a.vert",
+                               "in vec4 a; in vec4 unused; uniform float u; uniform float v;\n"
+                               "float never() { return v; }\nvoid main() { gl_Position = a * u; }\n");
+  EXPECT_EQ(names(r.inputs), (List{"a:vec4"}));
+  EXPECT_EQ(names(r.outputs), (List{"gl_Position:vec4"}));
+  EXPECT_EQ(names(r.uniforms), (List{"u:float"}));
+}
+
+TEST_F(Reflected, StructuresAndBlocksBetweenStagesKeepTheirLocation) {
+  const Reflection r =
+      reflect("vulkan", "a.vert",
+              "struct V { vec3 n; vec2 uv; }; layout(location = 3) out V v;\n"
+              "layout(location = 9) out Blk { vec4 a; vec2 b; } blk;\n"
+              "void main() { v.n = vec3(0); v.uv = vec2(0); blk.a = vec4(0); blk.b = vec2(0); }\n");
+  ASSERT_EQ(r.outputs.size(), 2u);
+  EXPECT_EQ(r.outputs[0].name, "v");
+  EXPECT_EQ(r.outputs[0].location, 3);
+  EXPECT_EQ(r.outputs[1].name, "blk");
+  EXPECT_EQ(r.outputs[1].location, 9);
+}
+
+TEST_F(Reflected, VulkansOwnKinds) {
+  const Reflection r = reflect("vulkan", "a.frag",
+                               "layout(push_constant) uniform Push { vec4 p; } push;\n"
+                               "layout(constant_id = 3) const int STEPS = 4;\n"
+                               "layout(input_attachment_index = 1, binding = 2) uniform subpassInput s;\n"
+                               "layout(std140, binding = 7) uniform Camera { vec4 x; } cam[2];\n"
+                               "layout(location = 0) out vec4 o;\n"
+                               "void main() { o = push.p * float(STEPS) + subpassLoad(s) + cam[1].x; }\n");
+  ASSERT_EQ(r.blocks.size(), 2u);
+  EXPECT_EQ(r.blocks[0].array_size, 2);
+  EXPECT_EQ(r.blocks[0].binding, 7);
+  EXPECT_EQ(r.blocks[1].kind, BlockKind::kPushConstant);
+  EXPECT_EQ(r.blocks[1].binding, std::nullopt);
+  ASSERT_EQ(r.constants.size(), 1u);
+  EXPECT_EQ(r.constants[0].id, 3);
+  EXPECT_EQ(r.textures.at(0).input_attachment_index, 1);
 }
 
 TEST_F(Reflected, LooseUniformsAreABlockForVulkan) {
@@ -106,7 +215,7 @@ TEST_F(Reflected, StorageAndWorkGroupsOfAComputeShader) {
                                "void main() { values[count] = 1.0; }\n");
   EXPECT_EQ(r.local_size, (std::vector{8, 4, 1}));
   ASSERT_EQ(r.blocks.size(), 1u);
-  EXPECT_TRUE(r.blocks[0].is_storage);
+  EXPECT_EQ(r.blocks[0].kind, BlockKind::kStorage);
   EXPECT_EQ(r.blocks[0].binding, 1);
   ASSERT_EQ(r.blocks[0].members.size(), 2u);
   EXPECT_EQ(r.blocks[0].members[1].offset, 4);

@@ -136,7 +136,7 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
     shader.error = read_link_log(program.getInfoLog(), text, shader);
     return shader;
   }
-  shader.interface = read_interface(program, stage, target);
+  shader.interface = read_interface(*program.getIntermediate(language_of(stage)), stage, target);
   if (target.rules != Rules::kOpenGl) shader.spirv = to_spirv(program, stage);
   return shader;
 }

@@ -133,7 +133,7 @@ std::string kind_of_buffer(const std::string& target) {
   if (!compiled) return to_string(compiled.diagnostics().front());
   const Reflection& reflection = compiled->reflection;
   const auto block = std::ranges::find(reflection.blocks, "gnomon_heights", &Block::name);
-  if (block != reflection.blocks.end()) return block->is_storage ? "storage" : "uniform";
+  if (block != reflection.blocks.end()) return block->kind == BlockKind::kStorage ? "storage" : "uniform";
   const auto texture = std::ranges::find(reflection.textures, "gnomon_heights", &Variable::name);
   return texture == reflection.textures.end() ? "nothing" : texture->type;
 }

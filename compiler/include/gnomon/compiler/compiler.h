@@ -56,7 +56,8 @@ struct Options {
   std::vector<Define> defines;                   ///< -D, in order; from parse_define
   std::string target = "glsl450";
   std::vector<std::string> embedded = {
-      "glsl450"};              ///< of target "header": the targets whose outputs it holds
+      "glsl450"};    ///< of target "header": the targets whose outputs it holds
+  std::string name;  ///< of target "header" and cpp_header(): of what the header defines; empty: the default
   std::optional<Stage> stage;  ///< absent: from the file's extension
 };
 

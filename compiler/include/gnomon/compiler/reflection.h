@@ -15,30 +15,44 @@ namespace gnomon::compiler {
 /// An input or output of a stage, a uniform outside of blocks, a texture. A number that the target does not
 /// have is absent: there the host binds by name.
 struct Variable {
-  std::string name;
-  std::string type;    ///< as GLSL spells it, without the array: "vec3", "sampler2D"
-  int array_size = 0;  ///< 0: no array
+  std::string name;    ///< of a uniform in a structure its whole path: "lights[1].power"
+  std::string type;    ///< as GLSL spells it, without the outermost array: "vec3", "sampler2D"
+  int array_size = 0;  ///< 0: no array, or one whose size the shader does not give
   std::optional<int> location{};
-  std::optional<int> set{};  ///< of textures, with Vulkan's rules
+  std::optional<int> set{};  ///< of textures, for Vulkan
   std::optional<int> binding{};
+  std::optional<int> input_attachment_index{};
 };
 
-/// A variable in a block.
+/// A variable in a block. Bytes are absent where the driver chooses the layout: in GLSL and ESSL, of a block
+/// that is neither std140 nor std430.
 struct Member {
-  std::string name;
+  std::string name;  ///< "lights" for an array of structures, then "lights[0].power" for its first element
   std::string type;
-  int offset = 0;        ///< bytes from the block's beginning
-  int array_size = 0;    ///< 0: no array
-  int array_stride = 0;  ///< bytes; 0: no array
+  std::optional<int> offset{};         ///< bytes from the block's beginning
+  int array_size = 0;                  ///< 0: no array, or one at a storage block's end that has no size
+  std::optional<int> array_stride{};   ///< bytes from one element to the next
+  std::optional<int> matrix_stride{};  ///< bytes from one column to the next, or row where `is_row_major`
+  bool is_row_major = false;
 };
+
+enum class BlockKind { kUniform, kStorage, kPushConstant };
 
 struct Block {
   std::string name;
-  bool is_storage = false;  ///< a buffer, which shaders may write; else a uniform block
-  int size = 0;             ///< bytes; without the array at its end that has no size
-  std::optional<int> set{};
+  BlockKind kind = BlockKind::kUniform;
+  int array_size = 0;         ///< of an array of blocks, which has a binding for each; 0: no array
+  std::optional<int> size{};  ///< bytes; without the array at its end that has no size
+  std::optional<int> set{};   ///< for Vulkan
   std::optional<int> binding{};
-  std::vector<Member> members{};  ///< in the order of their offsets
+  std::vector<Member> members{};  ///< in the order of the source
+};
+
+/// A constant that is given a value when a SPIR-V module is loaded.
+struct SpecializationConstant {
+  std::string name;
+  std::string type;
+  int id = 0;
 };
 
 /// A function `gnomon_host_...` that the shader calls.
@@ -57,15 +71,16 @@ struct OptionValue {
 struct Reflection {
   std::string target;
   Stage stage = Stage::kFragment;
-  std::vector<Variable> inputs{};              ///< by location, then name; built-in ones too
-  std::vector<Variable> outputs{};             ///< by location, then name
-  std::vector<Variable> uniforms{};            ///< by name; active ones outside of blocks
-  std::vector<Variable> textures{};            ///< samplers and images, by name; active ones
-  std::vector<Block> blocks{};                 ///< by name
-  std::vector<HostFunction> host_functions{};  ///< by name
-  std::vector<OptionValue> options{};          ///< by name
-  std::vector<int> local_size{};               ///< x, y, z of a compute shader
-  std::optional<std::size_t> spirv_size{};     ///< bytes; absent for GLSL and ESSL
+  std::vector<Variable> inputs{};                   ///< by location, then name; built-in ones too
+  std::vector<Variable> outputs{};                  ///< by location, then name
+  std::vector<Variable> uniforms{};                 ///< by name; active ones outside of blocks
+  std::vector<Variable> textures{};                 ///< samplers and images, by name; active ones
+  std::vector<Block> blocks{};                      ///< by name; active ones
+  std::vector<SpecializationConstant> constants{};  ///< by id
+  std::vector<HostFunction> host_functions{};       ///< by name
+  std::vector<OptionValue> options{};               ///< by name
+  std::vector<int> local_size{};                    ///< x, y, z of a compute shader
+  std::optional<std::size_t> spirv_size{};          ///< bytes; absent for GLSL and ESSL
 };
 
 /// As JSON, with the keys of docs/reflection.schema.json, indented, with a line feed at its end.

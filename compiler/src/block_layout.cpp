@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "block_layout.h"
+
+#include <glslang/MachineIndependent/localintermediate.h>
+
+#include "inspect.h"
+
+namespace gnomon::compiler {
+namespace {
+
+using glslang::TType;
+
+class Layout {
+ public:
+  Layout(glslang::TLayoutPacking packing, bool with_bytes, std::vector<Member>& members)
+      : packing_(packing), with_bytes_(with_bytes), members_(members) {}
+
+  // Bytes of the structure.
+  int read(const glslang::TTypeList& list, const std::string& prefix, int base, bool row_major) {
+    int end = 0;
+    for (const glslang::TTypeLoc& entry : list) {
+      const TType& type = *entry.type;
+      const glslang::TQualifier& qualifier = type.getQualifier();
+      const bool rows = qualifier.layoutMatrix == glslang::ElmNone
+                            ? row_major
+                            : qualifier.layoutMatrix == glslang::ElmRowMajor;
+      int size = 0;
+      int stride = 0;
+      const int alignment = glslang::TIntermediate::getMemberAlignment(type, size, stride, packing_, rows);
+      const int offset =
+          qualifier.hasOffset() ? qualifier.layoutOffset : (end + alignment - 1) / alignment * alignment;
+      add(type, prefix + type.getFieldName().c_str(), base + offset, stride, rows);
+      end = offset + size;
+    }
+    return end;
+  }
+
+ private:
+  void add(const TType& type, const std::string& name, int offset, int stride, bool rows) {
+    Member member{.name = name,
+                  .type = element_name(type),
+                  .array_size = type.isSizedArray() ? type.getOuterArraySize() : 0};
+    if (with_bytes_) {
+      member.offset = offset;
+      if (type.isArray()) member.array_stride = stride;
+      if (type.isMatrix()) member.matrix_stride = matrix_stride(type, rows);
+    }
+    member.is_row_major = rows && type.isMatrix();
+    members_.push_back(std::move(member));
+    if (!type.isStruct()) return;
+    std::string first = name;
+    for (int i = 0; type.isArray() && i < type.getArraySizes()->getNumDims(); ++i) first += "[0]";
+    read(*type.getStruct(), first + ".", offset, rows);
+  }
+
+  [[nodiscard]] int matrix_stride(const TType& type, bool rows) const {
+    TType matrix;
+    matrix.shallowCopy(type);
+    matrix.clearArraySizes();
+    int size = 0;
+    int stride = 0;
+    glslang::TIntermediate::getMemberAlignment(matrix, size, stride, packing_, rows);
+    return stride;
+  }
+
+  glslang::TLayoutPacking packing_;
+  bool with_bytes_;
+  std::vector<Member>& members_;
+};
+
+}  // namespace
+
+void read_members(const TType& type, bool with_bytes, Block& block) {
+  const glslang::TQualifier& qualifier = type.getQualifier();
+  const bool states =
+      qualifier.layoutPacking == glslang::ElpStd140 || qualifier.layoutPacking == glslang::ElpStd430;
+  const auto packing = states ? qualifier.layoutPacking : glslang::ElpStd140;
+  Layout layout(packing, with_bytes, block.members);
+  const int size = layout.read(*type.getStruct(), "", 0, qualifier.layoutMatrix == glslang::ElmRowMajor);
+  if (with_bytes) block.size = size;
+}
+
+}  // namespace gnomon::compiler
