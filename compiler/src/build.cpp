@@ -50,6 +50,16 @@ void add_warnings(const Shader& shader, Assembled& assembled) {
   }
 }
 
+Diagnostic locate_message(const Assembled& assembled, const Message& message) {
+  Diagnostic diagnostic = locate(assembled, message.line, message.text);
+  if (message.related == 0) return diagnostic;
+  const Diagnostic other = locate(assembled, message.related, {});
+  if (other.line > 0)
+    diagnostic.notes.insert(diagnostic.notes.begin(),
+                            "the other one: " + other.file + ":" + std::to_string(other.line));
+  return diagnostic;
+}
+
 // What is compiled: the same for every target that is tried.
 struct Request {
   const std::string& path;
@@ -136,7 +146,7 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
     shader.spirv = std::move(complete.spirv);
   }
   if (shader.error) {
-    result.refusal = Refusal{locate(source, shader.error->line, shader.error->text)};
+    result.refusal = Refusal{locate_message(source, *shader.error)};
     return result;
   }
   add_warnings(shader, source);

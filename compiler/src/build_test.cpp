@@ -40,12 +40,14 @@ TEST_F(Build, ErrorThreeIncludesDeep) {
 
 TEST_F(Build, SyntaxErrorsAreSpelt) {
   EXPECT_EQ(error_in("void main() {\n  int x = 1\n  int y;\n}\n"),
-            "a.frag:3: error: syntax error, unexpected 'int', expecting ',' or ';'");
-  EXPECT_EQ(error_in("void main() {\n"), "a.frag:1: error: syntax error, unexpected end of file");
+            "a.frag:3: error: syntax error: found 'int' where ',' or ';' was expected; a ';' is missing "
+            "before it, or a keyword is used as a name");
+  EXPECT_EQ(error_in("void main() {\n"),
+            "a.frag:1: error: syntax error: the file ends too early; a '}' or ')' is missing");
   EXPECT_EQ(error_in("void main() {\n  foo = 1;\n  bar = 2;\n}\n"),
             "a.frag:2: error: 'foo': undeclared identifier");
   EXPECT_EQ(error_in("void main() {\n  float x = vec3(1);\n}\n"),
-            "a.frag:2: error: '=': cannot convert from 'const 3-component vector of float' to 'float'");
+            "a.frag:2: error: cannot convert from 'vec3' to 'float'");
   EXPECT_EQ(error_in("\n#error no such mode\nvoid main() {}\n"), "a.frag:2: error: #error: no such mode");
 }
 
