@@ -67,11 +67,12 @@ TEST_F(Assemble, MissingIncludeNamesThePlaces) {
       "a.frag:2: error: cannot find the include file \"none.glsl\": looked for none.glsl, extra/none.glsl; "
       "correct the name or name its folder with -I");
   tree.file("b.glsl", "#include <gnomon/relief/none.glsl>\n");
-  EXPECT_EQ(
-      error_of(tree.file("a.frag", "#include \"b.glsl\"\n")),
-      "b.glsl:1: error: cannot find the include file \"gnomon/relief/none.glsl\": looked for "
-      "library/relief/none.glsl, extra/gnomon/relief/none.glsl; correct the name or name its folder with -I\n"
-      "  included from a.frag:1");
+  EXPECT_EQ(error_of(tree.file("a.frag", "#include \"b.glsl\"\n")),
+            "b.glsl:1: error: cannot find the include file \"gnomon/relief/none.glsl\": looked for "
+            "library/relief/none.glsl, extra/gnomon/relief/none.glsl; correct the name or name its folder "
+            "with -I; gnomonc list names "
+            "what the library has\n"
+            "  included from a.frag:1");
 }
 
 TEST_F(Assemble, MalformedInclude) {

@@ -54,7 +54,7 @@ TEST_F(Build, SyntaxErrorsAreSpelt) {
 TEST_F(Build, ErrorsInADefineAreOnTheCommandLineOrWhereItIsUsed) {
   options.defines = {{"A", "missing"}};
   EXPECT_EQ(error_in("void main() {\n  float x = A;\n}\n"),
-            "a.frag:2: error: 'missing': undeclared identifier");
+            "a.frag:2: error: 'missing': undeclared identifier, in the expansion of the macro A");
   options.defines = {{"A", "1"}, {"A", "2"}};
   EXPECT_TRUE(error_in("void main() {}\n").starts_with("<command line>: error: "));
 }
@@ -133,7 +133,8 @@ TEST_F(Build, WarningsOfTheGlslCompilerAreLocated) {
   ASSERT_TRUE(built);
   ASSERT_EQ(built->source.warnings.size(), 1u);
   EXPECT_EQ(tree.relative(to_string(built->source.warnings.front())),
-            "b.glsl:2: warning: #extension: extension not supported: GL_FOO_bar\n  included from a.frag:1");
+            "b.glsl:2: warning: #extension GL_FOO_bar: there is no such extension here: correct the name, or "
+            "remove the line\n  included from a.frag:1");
 }
 
 TEST_F(Build, FailuresLeaveNothingBehind) {
@@ -151,7 +152,7 @@ TEST_F(Build, HugeAndDeepTextsEndInAResult) {
   EXPECT_EQ(error_in(lines + "void main() { x; }\n"), "a.frag:100001: error: 'x': undeclared identifier");
   const std::string open(20000, '(');
   EXPECT_EQ(error_in("void main() {\n  float x = " + open + "1.0" + std::string(20000, ')') + ";\n}\n"),
-            "a.frag:2: error: nested too deeply for the GLSL compiler");
+            "a.frag:2: error: nested too deeply for the GLSL compiler: move the inner part into a function");
   EXPECT_NE(error_in("void main() { " + std::string(1 << 20, 'x') + "; }\n"), "no error");
 }
 

@@ -147,11 +147,12 @@ class Counter {
     const double copies = open_.back().copies;
     tokens_ += copies * size.tokens;
     open_.back().operators += copies * size.operators;
+    operators_ += copies * size.operators;
     if (tokens_ > kMostTokens)
       return Message{token.line, fmt::format("macros expand to more than {:.0f} tokens up to this line: a "
                                              "macro that uses another twice doubles it; write a function",
                                              kMostTokens)};
-    if (operators() > kMostOperators)
+    if (operators_ > kMostOperators)
       return Message{token.line, fmt::format("an expression of more than {:.0f} operators, macros expanded: "
                                              "split it into several statements, or write a loop",
                                              kMostOperators)};
@@ -166,27 +167,26 @@ class Counter {
     double operators = 0;
   };
 
-  [[nodiscard]] double operators() const {
-    double sum = 0;
-    for (const Level& level : open_) sum += level.operators;
-    return sum;
-  }
-
   void step(const Token& token) {
     if (token.is("(")) {
       open_.push_back({open_.back().copies * next_copies_});
     } else if (token.is(")")) {
+      operators_ -= open_.back().operators;
+      open_.back().operators = 0;
       if (open_.size() > 1) open_.pop_back();
     } else if (token.is(",")) {
+      operators_ -= open_.back().operators;
       open_.back().operators = 0;
     } else if (token.is(";") || token.is("{") || token.is("}")) {
       open_.assign(1, {});
+      operators_ = 0;
     }
     next_copies_ = macros_.copies_of_argument(token);
   }
 
   Macros& macros_;
   double tokens_ = 0;
+  double operators_ = 0;  // of all open levels
   double next_copies_ = 1;
   std::vector<Level> open_{Level{}};
 };

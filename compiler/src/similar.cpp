@@ -33,6 +33,8 @@ size_t distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string similar_word(std::string_view word, std::span<const std::string_view> words) {
+  constexpr size_t longest = 64;  // the effort is the product of two lengths
+  if (word.size() > longest) return {};
   std::string_view best;
   size_t least = word.size() / 4 + 1;
   for (const std::string_view candidate : words) {
