@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The program as people use it: exit codes, and what reaches which stream and file.
-#include <sys/wait.h>
-
-#include <cstdlib>
-
-#include "src/temporary_tree.h"
+#include "src/run_in.h"
 
 namespace gnomon {
 namespace {
 
-struct Outcome {
-  int code = 0;
-  std::string out;
-  std::string err;
-};
-
 class Gnomonc : public testing::Test {
  protected:
-  // `arguments` go through the shell, in the folder of the tree.
-  Outcome run(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + tree.path("") + "' && '" GNOMONC "' " + arguments + " > stdout.txt 2> stderr.txt";
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, tree.read("stdout.txt"), tree.read("stderr.txt")};
-  }
+  Outcome run(const std::string& arguments) const { return run_in(tree, GNOMONC, arguments); }
 
   TemporaryTree tree;
 };

@@ -25,6 +25,8 @@ constexpr int kDeepestInclude = 64;
 constexpr size_t kMostInclusions =
     10000;  // files without guards that include each other twice grow exponentially
 
+constexpr std::string_view kLibraryPrefix = "gnomon/";
+
 struct IncludeName {
   std::string name;
   bool quoted = false;
@@ -46,9 +48,8 @@ std::vector<std::string> candidates(const IncludeName& include, const std::strin
     paths.push_back((folder / name).lexically_normal().string());
   };
   if (include.quoted) add(fs::path(includer).parent_path(), include.name);
-  constexpr std::string_view prefix = "gnomon/";
-  if (!include.quoted && include.name.starts_with(prefix)) {
-    add(options.library_directory, std::string_view(include.name).substr(prefix.size()));
+  if (!include.quoted && include.name.starts_with(kLibraryPrefix)) {
+    add(options.library_directory, std::string_view(include.name).substr(kLibraryPrefix.size()));
   }
   for (const std::string& folder : options.include_directories) add(folder, include.name);
   return paths;
@@ -76,6 +77,29 @@ bool is_dropped(const SourceLine& line) {
   return line.directive == "include" || line.directive == "version" || line.directive == "line";
 }
 
+// What is wrong with a #version of the main file, although the target's replaces it; empty where nothing is.
+std::string defect_of_version(const SourceFile& file, const SourceLine& version) {
+  const bool is_first = std::ranges::all_of(
+      file.lines, [&](const SourceLine& line) { return line.line >= version.line || line.blank; });
+  if (!is_first) return "#version has to come before everything else but comments: move it to the top";
+  std::string_view rest = version.argument;
+  const std::string_view number = take_word(rest);
+  constexpr std::string_view known[] = {"100", "110", "120", "130", "140", "150", "300", "310", "320",
+                                        "330", "400", "410", "420", "430", "440", "450", "460"};
+  const bool has_profile = rest.empty() || rest == "core" || rest == "compatibility" || rest == "es";
+  if (std::ranges::find(known, number) != std::end(known) && has_profile) return {};
+  return "#version " + version.argument +
+         ": GLSL has no such version; write #version 450, or none: the target's replaces it";
+}
+
+Diagnostic unreadable(const std::string& path) {
+  std::error_code ignored;
+  return {.file = path,
+          .message = fs::is_directory(path, ignored)
+                         ? "is a folder: name a shader"
+                         : "cannot read the file: check the path and its permissions"};
+}
+
 class Assembler {
  public:
   explicit Assembler(const Options& options) : options_(options) {}
@@ -84,8 +108,7 @@ class Assembler {
   Result<Assembled> run(const std::string& path, std::optional<std::string> bytes, const Target& target) {
     result_.files.push_back(path);
     result_.inclusions.emplace_back();
-    if (!bytes)
-      return Diagnostic{.file = path, .message = "cannot read the file: check the path and its permissions"};
+    if (!bytes) return unreadable(path);
     if (!scan_last_file(*std::move(bytes))) return *std::move(failure_);
     begin(target.version_line);
     if (!inline_file(0, false)) return *std::move(failure_);
@@ -157,21 +180,26 @@ class Assembler {
   }
 
   bool replace(const SourceLine& line, LineOrigin origin, bool conditional) {
-    if (line.directive == "version" && origin.inclusion != 0) {
-      return fail(failure_at(result_, origin,
-                             "#version in an included file: only the main file may have one; remove it"));
+    if (line.directive == "version") {
+      const std::string defect =
+          origin.inclusion != 0 ? "#version in an included file: only the main file may have one; remove it"
+                                : defect_of_version(files_[0].source, line);
+      return defect.empty() || fail(failure_at(result_, origin, defect));
     }
     return line.directive != "include" || include(line, origin, conditional);
   }
 
   bool include(const SourceLine& line, LineOrigin origin, bool conditional) {
     const auto name = parse_include(line.argument);
-    if (!name) return fail(failure_at(result_, origin, "malformed #include: expected \"FILE\" or <FILE>"));
+    if (!name)
+      return fail(failure_at(result_, origin,
+                             "malformed #include: expected \"FILE\" or <FILE> and nothing behind it; macros "
+                             "are not expanded here"));
     const auto paths = candidates(*name, file_of(result_, origin.inclusion), options_);
     const auto found = std::ranges::find_if(paths, is_file);
     if (found == paths.end()) {
       if (!paths.empty()) unread_ = paths.front();
-      return fail(missing(*name, paths, origin));
+      return fail(missing(*name, paths, line, origin));
     }
     const std::string identity = identity_of(*found);
     const auto known = index_of_.find(identity);
@@ -229,18 +257,23 @@ class Assembler {
   }
 
   [[nodiscard]] Diagnostic missing(const IncludeName& include, const std::vector<std::string>& paths,
-                                   LineOrigin origin) const {
+                                   const SourceLine& line, LineOrigin origin) const {
     std::string tried;
     for (const std::string& path : paths) tried += (tried.empty() ? "looked for " : ", ") + path;
     if (tried.empty()) tried = "no -I names a folder to look in";
+    std::string advice = "correct the name or name its folder with -I";
+    if (!include.quoted)
+      advice += include.name.starts_with(kLibraryPrefix) ? "; gnomonc list names what the library has"
+                                                         : "; a file beside this one is included in quotes";
+    if (line.conditional) advice += "; the conditional around it does not matter, only #if 0 does";
     return failure_at(result_, origin,
-                      "cannot find the include file \"" + include.name + "\": " + tried +
-                          "; correct the name or name its folder with -I");
+                      "cannot find the include file \"" + include.name + "\": " + tried + "; " + advice);
   }
 
   [[nodiscard]] Diagnostic too_deep(LineOrigin origin) const {
     return failure_at(result_, origin,
-                      "includes are nested more than " + std::to_string(kDeepestInclude) + " deep");
+                      "includes are nested more than " + std::to_string(kDeepestInclude) +
+                          " deep: is there a chain that does not end?");
   }
 
   [[nodiscard]] Diagnostic too_many(LineOrigin origin) const {

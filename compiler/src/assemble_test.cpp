@@ -67,17 +67,19 @@ TEST_F(Assemble, MissingIncludeNamesThePlaces) {
       "a.frag:2: error: cannot find the include file \"none.glsl\": looked for none.glsl, extra/none.glsl; "
       "correct the name or name its folder with -I");
   tree.file("b.glsl", "#include <gnomon/relief/none.glsl>\n");
-  EXPECT_EQ(
-      error_of(tree.file("a.frag", "#include \"b.glsl\"\n")),
-      "b.glsl:1: error: cannot find the include file \"gnomon/relief/none.glsl\": looked for "
-      "library/relief/none.glsl, extra/gnomon/relief/none.glsl; correct the name or name its folder with -I\n"
-      "  included from a.frag:1");
+  EXPECT_EQ(error_of(tree.file("a.frag", "#include \"b.glsl\"\n")),
+            "b.glsl:1: error: cannot find the include file \"gnomon/relief/none.glsl\": looked for "
+            "library/relief/none.glsl, extra/gnomon/relief/none.glsl; correct the name or name its folder "
+            "with -I; gnomonc list names "
+            "what the library has\n"
+            "  included from a.frag:1");
 }
 
 TEST_F(Assemble, MalformedInclude) {
   for (const std::string argument : {"", "b.glsl", "\"b.glsl", "<b.glsl\"", "\"\"", "\"b.glsl\" x"}) {
     EXPECT_EQ(error_of(tree.file("a.frag", "#include " + argument)),
-              "a.frag:1: error: malformed #include: expected \"FILE\" or <FILE>");
+              "a.frag:1: error: malformed #include: expected \"FILE\" or <FILE> and nothing behind it; "
+              "macros are not expanded here");
   }
 }
 
@@ -139,14 +141,17 @@ TEST_F(Assemble, ConditionalsMustEndInTheirFile) {
             "a.frag:2: error: unterminated #if: no #endif follows in this file");
   EXPECT_EQ(error_of(tree.file("a.frag", "#if 1\n#ifndef A\n")),
             "a.frag:2: error: unterminated #ifndef: no #endif follows in this file");
-  EXPECT_EQ(error_of(tree.file("a.frag", "#if 1\n#endif\n#endif\n")), "a.frag:3: error: #endif without #if");
-  EXPECT_EQ(error_of(tree.file("a.frag", "\n#else\n")), "a.frag:2: error: #else without #if");
-  EXPECT_EQ(error_of(tree.file("a.frag", "#elif 1\n")), "a.frag:1: error: #elif without #if");
+  EXPECT_EQ(error_of(tree.file("a.frag", "#if 1\n#endif\n#endif\n")),
+            "a.frag:3: error: #endif without #if: both have to be in the same file");
+  EXPECT_EQ(error_of(tree.file("a.frag", "\n#else\n")),
+            "a.frag:2: error: #else without #if: both have to be in the same file");
+  EXPECT_EQ(error_of(tree.file("a.frag", "#elif 1\n")),
+            "a.frag:1: error: #elif without #if: both have to be in the same file");
   EXPECT_EQ(error_of(tree.file("a.frag", "#if 1\n#else\n#else\n#endif\n")),
             "a.frag:3: error: #else after the #else of the #if in line 1");
   tree.file("open.glsl", "\n#ifdef X\n");
   EXPECT_EQ(error_of(tree.file("a.frag", "#include \"open.glsl\"\n#endif\n")),
-            "a.frag:2: error: #endif without #if");
+            "a.frag:2: error: #endif without #if: both have to be in the same file");
   EXPECT_EQ(
       error_of(tree.file("a.frag", "#include \"open.glsl\"\n")),
       "open.glsl:2: error: unterminated #ifdef: no #endif follows in this file\n  included from a.frag:1");
@@ -170,11 +175,11 @@ TEST_F(Assemble, LineEndsByteOrderMarkAndContinuations) {
 TEST_F(Assemble, BytesThatAreNoText) {
   using namespace std::string_literals;
   EXPECT_EQ(error_of(tree.file("a.frag", "int a;\n// \0\n"s)),
-            "a.frag:2: error: the file has a NUL character: it is not a text file");
+            "a.frag:2: error: this line has a NUL character: the file is not text, or is damaged");
   for (const std::string bad : {"\xFF", "\xC0\xAF", "\xED\xA0\x80", "\xE2\x82", "\xF5\x80\x80\x80"}) {
     EXPECT_EQ(
         error_of(tree.file("a.frag", "// caf\xC3\xA9 \xE2\x82\xAC \xF0\x9F\x8C\x84\n\n// " + bad + "\n")),
-        "a.frag:3: error: the file has a byte that is not UTF-8: save it as UTF-8");
+        "a.frag:3: error: this line has a byte that is not UTF-8: save the file as UTF-8");
   }
 }
 
@@ -196,8 +201,9 @@ TEST_F(Assemble, NestingAndNumberAreLimited) {
   for (int i = 0; i < 70; ++i) {
     tree.file(std::to_string(i) + ".glsl", "#include \"" + std::to_string(i + 1) + ".glsl\"\n");
   }
-  EXPECT_TRUE(
-      error_of(tree.path("0.glsl")).starts_with("63.glsl:1: error: includes are nested more than 64 deep\n"));
+  EXPECT_TRUE(error_of(tree.path("0.glsl"))
+                  .starts_with("63.glsl:1: error: includes are nested more than 64 deep: is there a chain "
+                               "that does not end?\n"));
   for (int i = 0; i < 40; ++i) {
     const std::string include = "#include \"" + std::to_string(i + 1) + ".glsl\"\n";
     tree.file(std::to_string(i) + ".glsl", include + include);

@@ -50,6 +50,16 @@ void add_warnings(const Shader& shader, Assembled& assembled) {
   }
 }
 
+Diagnostic locate_message(const Assembled& assembled, const Message& message) {
+  Diagnostic diagnostic = locate(assembled, message.line, message.text);
+  if (message.related == 0) return diagnostic;
+  const Diagnostic other = locate(assembled, message.related, {});
+  if (other.line > 0)
+    diagnostic.notes.insert(diagnostic.notes.begin(),
+                            "the other one: " + other.file + ":" + std::to_string(other.line));
+  return diagnostic;
+}
+
 // "layout(local_size_x = 8)": the line that makes a text one of this stage.
 int line_of_stage(const Assembled& assembled, Stage stage) {
   const std::string code = blank_comments(assembled.text);
@@ -70,7 +80,7 @@ Refusal refuse_text(const Assembled& assembled, const Message& error) {
   const auto end = assembled.origins.begin() + static_cast<std::ptrdiff_t>(last);
   // Lines that stand for options or were added for the target have no number of their own.
   const auto added = std::count(assembled.origins.begin(), end, LineOrigin{0, 0});
-  return {locate(assembled, error.line, error.text), Refusal::Of::kText,
+  return {locate_message(assembled, error), Refusal::Of::kText,
           static_cast<int>(last) - static_cast<int>(added)};
 }
 

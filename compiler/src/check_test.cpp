@@ -51,7 +51,7 @@ TEST_F(Check, CallsTheFunctionsOfIncludesToo) {
 
 TEST_F(Check, ErrorInAFunctionThatNobodyCalls) {
   EXPECT_EQ(error_in("float unused(ivec2 a) {\n  float b = a;\n  return b;\n}\n"),
-            "m.glsl:2: error: '=': cannot convert from 'in 2-component vector of int' to 'float'");
+            "m.glsl:2: error: cannot convert from 'ivec2' to 'float'");
 }
 
 // Nothing is wrong with either function until a program holds both.

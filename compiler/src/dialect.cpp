@@ -167,6 +167,8 @@ size_t line_of_precisions(const Assembled& assembled, const std::string& code) {
       words = trim(words.substr(1));
       name = take_word(words);
     }
+    // An #extension behind this is a mistake, and has to be told as one.
+    if (!wanted && is_code) break;
     if (wanted && name != "extension" && (depth == 0 || is_code)) {
       place = line;
       wanted = false;

@@ -90,5 +90,15 @@ TEST_F(Dialect, AnErrorBehindThePrecisionsIsAtItsOwnLine) {
             "a.frag:3: error: 'x': undeclared identifier");
 }
 
+TEST_F(Dialect, PrecisionsComeBeforeCodeWithAnExtensionBehindIt) {
+  options.target = "essl300";
+  const std::string path =
+      tree.file("a.frag", "float a;\n#extension GL_EXT_nothing : enable\nvoid main() {\n  x = 1;\n}\n");
+  const auto built = build(path, options);
+  ASSERT_FALSE(built);
+  EXPECT_EQ(tree.relative(to_string(built.diagnostics().front())),
+            "a.frag:4: error: 'x': undeclared identifier");
+}
+
 }  // namespace
 }  // namespace gnomon::compiler

@@ -16,8 +16,8 @@ struct Log {
   std::vector<Message> warnings;
 };
 
-/// The log of parsing one text: lines such as "ERROR: 0:12: 'x' : undeclared identifier ".
-[[nodiscard]] Log read_log(std::string_view log);
+/// The log of parsing `text`: lines such as "ERROR: 0:12: 'x' : undeclared identifier ".
+[[nodiscard]] Log read_log(std::string_view log, const std::string& text);
 
 /// The first line of a log that has no known form.
 [[nodiscard]] std::string first_line(std::string_view log);

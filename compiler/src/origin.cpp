@@ -20,11 +20,19 @@ Diagnostic failure_at(const Assembled& assembled, LineOrigin origin, std::string
   }
   diagnostic.file = file_of(assembled, origin.inclusion);
   diagnostic.line = origin.line;
+  std::vector<std::string> chain;
   for (Inclusion at = assembled.inclusions[static_cast<size_t>(origin.inclusion)]; at.parent >= 0;
        at = assembled.inclusions[static_cast<size_t>(at.parent)]) {
-    diagnostic.notes.push_back("included from " + file_of(assembled, at.parent) + ":" +
-                               std::to_string(at.line));
+    chain.push_back("included from " + file_of(assembled, at.parent) + ":" + std::to_string(at.line));
   }
+  // Both ends of a long chain say enough.
+  constexpr size_t shown = 4;
+  if (chain.size() > 3 * shown) {
+    const auto end = chain.end() - shown;
+    const std::string left_out = "... " + std::to_string(chain.size() - 2 * shown) + " more ...";
+    chain.insert(chain.erase(chain.begin() + shown, end), left_out);
+  }
+  diagnostic.notes = std::move(chain);
   return diagnostic;
 }
 

@@ -11,8 +11,10 @@
 #include <string_view>
 
 #include "inspect.h"
+#include "limits.h"
 #include "log.h"
 #include "prototype.h"
+#include "uniforms.h"
 
 namespace gnomon::compiler {
 namespace {
@@ -105,20 +107,46 @@ Message read_link_log(std::string_view log, const std::string& text, const Shade
   return {1, message};
 }
 
+constexpr int kVersionWithoutDirective = 110;  // never used: the text has a #version
+
+// A text for glslang, which keeps pointers to what it is given.
+struct Unit {
+  Unit(const std::string& text, Stage stage, Rules rules)
+      : string(text.data()), length(static_cast<int>(text.size())), shader(language_of(stage)) {
+    shader.setStringsWithLengths(&string, &length, 1);
+    messages = set_rules(shader, stage, rules);
+  }
+
+  const char* string;
+  int length;
+  glslang::TShader shader;
+  EShMessages messages;
+};
+
+// What glslang must not be given.
+std::optional<Message> find_unbearable(const std::string& text, Stage stage, Rules rules) {
+  if (auto excess = find_excess(text)) return excess;
+  if (rules != Rules::kVulkan) return std::nullopt;
+  Unit unit(text, stage, rules);
+  std::string preprocessed;
+  glslang::TShader::ForbidIncluder no_includes;
+  unit.shader.preprocess(GetDefaultResources(), kVersionWithoutDirective, ENoProfile, false, false,
+                         unit.messages, &preprocessed, no_includes);
+  return find_uniform_collision(preprocessed);
+}
+
 }  // namespace
 
 Shader compile(const std::string& text, Stage stage, const Target& target) {
   initialize_glslang();
-  glslang::TShader unit(language_of(stage));
-  const char* const strings[] = {text.data()};
-  const int lengths[] = {static_cast<int>(text.size())};
-  unit.setStringsWithLengths(strings, lengths, 1);
-  const EShMessages messages = set_rules(unit, stage, target.rules);
-
-  constexpr int kVersionWithoutDirective = 110;  // never used: the text has a #version
   Shader shader;
+  shader.error = find_unbearable(text, stage, target.rules);
+  if (shader.error) return shader;
+  Unit source(text, stage, target.rules);
+  glslang::TShader& unit = source.shader;
+  const EShMessages messages = source.messages;
   const bool parsed = unit.parse(GetDefaultResources(), kVersionWithoutDirective, false, messages);
-  Log log = read_log(unit.getInfoLog());
+  Log log = read_log(unit.getInfoLog(), text);
   shader.warnings = std::move(log.warnings);
   if (!parsed) {
     shader.error = log.error ? *log.error : Message{1, first_line(unit.getInfoLog())};

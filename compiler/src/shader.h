@@ -49,6 +49,7 @@ struct Function {
 struct Message {
   int line = 0;  ///< 1-based
   std::string text;
+  int related = 0;  ///< line of the earlier declaration that it collides with, 0 for none
 };
 
 struct Shader {

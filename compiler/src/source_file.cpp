@@ -77,14 +77,14 @@ class Conditionals {
     if (name == "if" || name == "ifdef" || name == "ifndef") {
       open_.push_back({line.line, name, false, name == "if" && line.argument == "0", is_guard});
     } else if (name == "elif" || name == "else") {
-      if (open_.empty()) return "#" + name + " without #if";
+      if (open_.empty()) return "#" + name + " without #if: both have to be in the same file";
       if (open_.back().has_else)
         return "#" + name + " after the #else of the #" + open_.back().name + " in line " +
                std::to_string(open_.back().line);
       open_.back().has_else = name == "else";
       open_.back().dead = false;
     } else if (name == "endif") {
-      if (open_.empty()) return "#endif without #if";
+      if (open_.empty()) return "#endif without #if: both have to be in the same file";
       open_.pop_back();
     }
     line.dead = std::ranges::any_of(open_, &Open::dead);
@@ -157,13 +157,15 @@ std::optional<std::string> read_bytes(const std::string& path) {
 }
 
 Result<SourceFile> scan(const std::string& path, std::string bytes) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    return failure(path, 1, "the file is UTF-16: save it as UTF-8");
   const std::string text = with_plain_line_ends(bytes);
   const size_t bad = first_bad_byte(text);
   if (bad < text.size()) {
     const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(bad), '\n');
     return failure(path, static_cast<int>(line),
-                   text[bad] == '\0' ? "the file has a NUL character: it is not a text file"
-                                     : "the file has a byte that is not UTF-8: save it as UTF-8");
+                   text[bad] == '\0' ? "this line has a NUL character: the file is not text, or is damaged"
+                                     : "this line has a byte that is not UTF-8: save the file as UTF-8");
   }
   SourceFile file{logical_lines(text)};
   const int open_comment = find_directives(file.lines);

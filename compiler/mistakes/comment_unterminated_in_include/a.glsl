@@ -1,0 +1,3 @@
+float a;
+/* b
+float b;

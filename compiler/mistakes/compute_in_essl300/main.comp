@@ -1,0 +1,3 @@
+
+layout(local_size_x = 8) in;
+void main() {}

@@ -1,0 +1,4 @@
+#include "begin.glsl"
+float a;
+#endif
+void main() {}

@@ -1,0 +1,3 @@
+float a;
+#else
+void main() {}

@@ -1,0 +1,4 @@
+#ifdef A
+#endif
+#endif
+void main() {}

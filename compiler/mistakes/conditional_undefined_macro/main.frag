@@ -1,0 +1,3 @@
+#if QUALITY > 1
+#endif
+void main() {}

@@ -1,0 +1,3 @@
+#ifndef QUALITY
+#error "define QUALITY: 1, 2 or 3"
+#endif

@@ -1,0 +1,2 @@
+#pragma once
+float one() { return two; }

@@ -1,0 +1,2 @@
+#inlcude "a.glsl"
+void main() {}

@@ -1,0 +1,1 @@
+out vec4 color;void main() {  color = vec4(missing);}

@@ -1,0 +1,4 @@
+
+
+
+float deep() { return depth; }

@@ -1,0 +1,2 @@
+#extension GL_ARB_gpu_shader5 : demand
+void main() {}

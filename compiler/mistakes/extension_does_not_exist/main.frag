@@ -1,0 +1,2 @@
+#extension GL_ARB_sunshine : require
+void main() {}

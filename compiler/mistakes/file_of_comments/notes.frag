@@ -1,0 +1,2 @@
+// What this shader will do:
+/* everything */

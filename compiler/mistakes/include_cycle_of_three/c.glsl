@@ -1,0 +1,2 @@
+// back to the first
+#include "a.glsl"

@@ -1,0 +1,4 @@
+#ifdef HAS_NOISE
+#include "noise.glsl"
+#endif
+void main() {}

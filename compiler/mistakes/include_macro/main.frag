@@ -1,0 +1,3 @@
+#define METHOD "a.glsl"
+#include METHOD
+void main() {}

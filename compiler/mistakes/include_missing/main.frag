@@ -1,0 +1,3 @@
+
+#include "relief/hieght.glsl"
+void main() {}

@@ -1,0 +1,1 @@
+float height() { return 1.0; }

@@ -1,0 +1,2 @@
+#include <noise.glsl>
+void main() {}

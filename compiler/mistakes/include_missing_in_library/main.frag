@@ -1,0 +1,2 @@
+#include <gnomon/relief/multilvl.glsl>
+void main() {}

@@ -1,0 +1,2 @@
+#include "steps/01.glsl"
+void main() {}

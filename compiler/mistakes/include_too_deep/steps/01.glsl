@@ -1,0 +1,1 @@
+#include "02.glsl"

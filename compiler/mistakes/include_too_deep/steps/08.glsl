@@ -1,0 +1,1 @@
+#include "09.glsl"

@@ -1,0 +1,1 @@
+#include "14.glsl"

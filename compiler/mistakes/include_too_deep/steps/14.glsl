@@ -1,0 +1,1 @@
+#include "15.glsl"

@@ -1,0 +1,1 @@
+#include "17.glsl"

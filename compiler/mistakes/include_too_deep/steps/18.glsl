@@ -1,0 +1,1 @@
+#include "19.glsl"

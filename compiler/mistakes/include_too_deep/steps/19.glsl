@@ -1,0 +1,1 @@
+#include "20.glsl"

@@ -1,0 +1,1 @@
+#include "21.glsl"

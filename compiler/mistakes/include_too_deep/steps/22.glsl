@@ -1,0 +1,1 @@
+#include "23.glsl"

@@ -1,0 +1,1 @@
+#include "24.glsl"

@@ -1,0 +1,1 @@
+#include "26.glsl"

@@ -1,0 +1,1 @@
+#include "27.glsl"

@@ -1,0 +1,1 @@
+#include "28.glsl"

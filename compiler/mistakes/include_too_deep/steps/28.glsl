@@ -1,0 +1,1 @@
+#include "29.glsl"

@@ -1,0 +1,1 @@
+#include "30.glsl"

@@ -1,0 +1,1 @@
+#include "31.glsl"

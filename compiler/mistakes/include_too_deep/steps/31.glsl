@@ -1,0 +1,1 @@
+#include "32.glsl"

@@ -1,0 +1,1 @@
+#include "35.glsl"

@@ -1,0 +1,1 @@
+#include "36.glsl"

@@ -1,0 +1,1 @@
+#include "37.glsl"

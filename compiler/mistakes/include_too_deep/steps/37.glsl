@@ -1,0 +1,1 @@
+#include "38.glsl"

@@ -1,0 +1,1 @@
+#include "40.glsl"

@@ -1,0 +1,1 @@
+#include "41.glsl"

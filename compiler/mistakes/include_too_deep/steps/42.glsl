@@ -1,0 +1,1 @@
+#include "43.glsl"

@@ -1,0 +1,1 @@
+#include "44.glsl"

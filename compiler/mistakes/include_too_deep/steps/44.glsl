@@ -1,0 +1,1 @@
+#include "45.glsl"

@@ -1,0 +1,1 @@
+#include "46.glsl"

@@ -1,0 +1,1 @@
+#include "47.glsl"

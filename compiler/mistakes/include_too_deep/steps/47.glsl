@@ -1,0 +1,1 @@
+#include "48.glsl"

@@ -1,0 +1,1 @@
+#include "49.glsl"

@@ -1,0 +1,1 @@
+#include "52.glsl"

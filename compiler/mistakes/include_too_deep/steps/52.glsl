@@ -1,0 +1,1 @@
+#include "53.glsl"

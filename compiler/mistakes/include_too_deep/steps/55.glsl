@@ -1,0 +1,1 @@
+#include "56.glsl"

@@ -1,0 +1,1 @@
+#include "57.glsl"

@@ -1,0 +1,1 @@
+#include "58.glsl"

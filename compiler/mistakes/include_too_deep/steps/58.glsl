@@ -1,0 +1,1 @@
+#include "59.glsl"

@@ -1,0 +1,1 @@
+#include "61.glsl"

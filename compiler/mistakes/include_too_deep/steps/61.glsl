@@ -1,0 +1,1 @@
+#include "62.glsl"

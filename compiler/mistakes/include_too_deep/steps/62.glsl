@@ -1,0 +1,1 @@
+#include "63.glsl"

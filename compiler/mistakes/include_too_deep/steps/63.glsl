@@ -1,0 +1,1 @@
+#include "64.glsl"

@@ -1,0 +1,1 @@
+#include "65.glsl"

@@ -1,0 +1,1 @@
+#include "66.glsl"

@@ -1,0 +1,3 @@
+#include "macros.glsl"
+#include "use.glsl"
+void main() { }

@@ -1,0 +1,4 @@
+
+float six() {
+  return TWICE(3.0);
+}

@@ -1,0 +1,3 @@
+#include "shade.glsl"
+out vec4 color;
+void main() { color = vec4(shade()); }

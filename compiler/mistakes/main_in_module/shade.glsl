@@ -1,0 +1,2 @@
+float shade() { return 0.5; }
+void main() {}

@@ -1,0 +1,1 @@
+float shade() { return 0.5; }

@@ -1,0 +1,2 @@
+
+float light() { return 0.1; }

@@ -1,0 +1,4 @@
+
+float sign_of(float x) {
+  x = 1.0;
+}

@@ -1,0 +1,4 @@
+out vec4 color;
+void main() {
+  color = "white";
+}

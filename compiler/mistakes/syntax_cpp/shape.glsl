@@ -1,0 +1,4 @@
+float area(float width, float height) {
+  auto size = width * height;
+  return size;
+}

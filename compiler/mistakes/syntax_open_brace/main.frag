@@ -1,0 +1,5 @@
+out vec4 color;
+void main() {
+  if (true) {
+    color = vec4(1.0);
+}

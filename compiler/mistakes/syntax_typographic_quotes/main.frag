@@ -1,0 +1,3 @@
+#include “height.glsl”
+out vec4 color;
+void main() { color = vec4(1.0); }

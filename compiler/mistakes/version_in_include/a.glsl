@@ -1,0 +1,2 @@
+// A module.
+#version 450

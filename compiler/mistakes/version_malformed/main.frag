@@ -1,0 +1,2 @@
+#version latest
+void main() {}

@@ -1,0 +1,3 @@
+float a;
+#version 450
+void main() {}
