@@ -12,7 +12,7 @@ Result<std::vector<DefinedFunction>> defined_functions(const std::string& librar
   if (!modules) return modules.diagnostics();
   std::vector<DefinedFunction> functions;
   for (const compiler::Module& module : *modules) {
-    if (module.name.starts_with("host/")) continue;
+    if (module.defines_host()) continue;
     const compiler::Options options{.library_directory = library};
     const auto assembled = compiler::assemble(module.path, options);
     if (!assembled) return assembled.diagnostics();

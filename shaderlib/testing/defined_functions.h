@@ -14,7 +14,7 @@ struct DefinedFunction {
   std::string name;
 };
 
-/// Of every module below `library` but for host/, whose functions read textures.
+/// Of every module below `library` but for ready-made hosts, whose functions read textures.
 [[nodiscard]] Result<std::vector<DefinedFunction>> defined_functions(const std::string& library);
 
 }  // namespace gnomon::modules

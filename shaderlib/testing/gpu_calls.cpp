@@ -23,7 +23,7 @@ int texels(std::size_t scalars) {
 std::string program_text(const ModuleFunction& function, const std::vector<compiler::Module>& modules) {
   std::string text = "#include <gnomon/host/r32f.glsl>\n";
   for (const compiler::Module& module : modules) {
-    if (!module.name.starts_with("host/")) text += "#include <gnomon/" + module.name + ".glsl>\n";
+    if (!module.defines_host()) text += "#include <gnomon/" + module.name + ".glsl>\n";
   }
   const std::string parts = std::to_string(texels(function.results.size()));
   const std::string stride = std::to_string(texels(static_cast<std::size_t>(function.arguments)));

@@ -2,9 +2,9 @@
 // Every function of the modules on the GPU and as C++, on the same random arguments: equal to the bit, or
 // within 4 ulp of the largest intermediate where a sum can cancel or distribute (testing/gpu_rows.cpp says
 // which).
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -175,10 +175,12 @@ TEST(GpuEqualsCppRows, EveryFunctionHasOne) {
   for (const DefinedFunction& function : *functions) defined.push_back(function.name);
   std::vector<std::string> compared;
   for (const Row& row : rows()) compared.push_back(row.function.name);
-  EXPECT_THAT(compared, ::testing::UnorderedElementsAreArray(defined));
+  std::ranges::sort(defined);
+  std::ranges::sort(compared);
+  EXPECT_EQ(compared, defined);
 }
 
-INSTANTIATE_TEST_SUITE_P(Maps, GpuEqualsCpp, ::testing::Values("fractal", "spikes"),
+INSTANTIATE_TEST_SUITE_P(Maps, GpuEqualsCpp, ::testing::Values("fractal", "gorge"),
                          [](const auto& instance) { return instance.param; });
 
 }  // namespace

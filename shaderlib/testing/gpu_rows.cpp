@@ -101,6 +101,38 @@ std::vector<Row> map_and_shadow_rows() {
   };
 }
 
+// Heights that are stored as integers: every GPU has to see the same map.
+std::vector<Row> decode_rows() {
+  return {
+      exact("gnomon_stored_number", &M::gnomon_stored_number,
+            [](Random& r) {
+              const int largest = r.chance(0.5F) ? 255 : 65535;
+              const float channel = static_cast<float>(r.whole(0, largest)) / static_cast<float>(largest);
+              return std::tuple{r.chance(0.5F) ? channel : r.between(0, 1), static_cast<float>(largest)};
+            }),
+      exact("gnomon_stored_rgb", &M::gnomon_stored_rgb,
+            [](Random& r) {
+              const auto channel = [&] { return static_cast<float>(r.whole(0, 255)) / 255.0F; };
+              return std::tuple{channel(), channel(), channel()};
+            }),
+      // `precise` keeps product and sum apart.
+      exact("gnomon_scaled_height", &M::gnomon_scaled_height,
+            [](Random& r) {
+              return std::tuple{r.whole(0, 65535), r.power_of_ten(-4, 2), r.power_of_ten(0, 5)};
+            }),
+      exact(
+          "gnomon_exact_tenth", &M::gnomon_exact_tenth,
+          [](Random& r) {
+            const auto whole = static_cast<float>(r.whole(-16777215, 16777215));
+            return std::tuple{whole, whole / 10.0F * (1.0F + 0x1p-23F * static_cast<float>(r.whole(-3, 3)))};
+          }),
+      exact("gnomon_terrain_rgb_height", &M::gnomon_terrain_rgb_height,
+            [](Random& r) { return std::tuple{r.whole(0, 0xFFFFFF)}; }),
+      exact("gnomon_terrarium_height", &M::gnomon_terrarium_height,
+            [](Random& r) { return std::tuple{r.whole(0, 0xFFFFFF)}; }),
+  };
+}
+
 std::vector<Row> patch_rows() {
   return {
       exact("gnomon_patch", &M::gnomon_patch,
@@ -265,8 +297,8 @@ std::vector<Row> relief_rows() {
 
 std::vector<Row> rows() {
   std::vector<Row> all;
-  for (auto make :
-       {map_and_shadow_rows, patch_rows, ray_rows, crossing_rows, walk_rows, method_rows, relief_rows}) {
+  for (auto make : {map_and_shadow_rows, decode_rows, patch_rows, ray_rows, crossing_rows, walk_rows,
+                    method_rows, relief_rows}) {
     for (Row& row : make()) all.push_back(std::move(row));
   }
   return all;
