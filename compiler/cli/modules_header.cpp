@@ -17,7 +17,7 @@ Result<std::vector<std::string>> library_files(const std::string& library) {
   if (!modules) return modules.diagnostics();
   std::vector<std::string> files;
   for (const compiler::Module& module : *modules) {
-    if (!module.name.starts_with("host/")) files.push_back(module.path);
+    if (!module.defines_host()) files.push_back(module.path);
   }
   return files;
 }

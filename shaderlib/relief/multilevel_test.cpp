@@ -12,11 +12,13 @@
 #include "technique/surface.h"
 #include "terrain/level.h"
 #include "terrain/procedural.h"
-#include "testing/cpp_modules.h"
+#include "testing/map_modules.h"
 
 namespace {
 
+using glm::ivec2;
 using glm::vec3;
+using gnomon::modules::MapModules;
 using gnomon::technique::surface_of;
 using gnomon::terrain::HeightMap;
 namespace oracle = gnomon::oracle;
@@ -82,11 +84,12 @@ struct Tally {
   int rays = 0, in_band = 0, wrong = 0, undecided = 0;
 };
 
-void ask(const glsl::GnomonMap& map, const Batch& batch, const Asked& asked, double horizon, Tally& tally) {
-  const glsl::GnomonReceiver receiver = glsl::gnomon_receiver_at(asked.column, asked.row, batch.height);
+void ask(const MapModules& modules, const Batch& batch, const Asked& asked, double horizon, Tally& tally) {
+  const auto receiver = modules.gnomon_receiver_at(asked.column, asked.row, batch.height);
   const vec3 sun = to_sun(batch.azimuth, asked.elevation);
-  const glsl::GnomonShadow answer = glsl::gnomon_multilevel(map, receiver, sun, 0, glsl::step_limit(map));
-  const glsl::GnomonShadow brute = glsl::gnomon_brute_force(map, receiver, sun, 0, glsl::step_limit(map));
+  const auto map = modules.map();
+  const auto answer = modules.gnomon_multilevel(map, receiver, sun, 0, modules.step_limit());
+  const auto brute = modules.gnomon_brute_force(map, receiver, sun, 0, modules.step_limit());
   tally.rays += 1;
   tally.undecided += answer.cause == GNOMON_CAUSE_UNDECIDED || brute.cause == GNOMON_CAUSE_UNDECIDED;
   if (oracle::in_band(horizon, asked.elevation, batch.band)) {
@@ -110,12 +113,12 @@ TEST_P(ExactShadow, AgreesWithTheOracleOutsideTheBandAtEveryLevel) {
   const HeightMap base = make(GetParam(), 133, 70);
   for (int q = 0; q <= gnomon::terrain::coarsest_level(base.width, base.height); ++q) {
     const HeightMap map = gnomon::terrain::level(base, q);
-    const glsl::GnomonMap glsl_map = glsl::use_map(map);
+    const MapModules modules(map);
     const double steepest = oracle::steepest_slope(surface_of(map));
     for (int number = 0; number < 30; ++number) {
       const Batch batch = make_batch(map, steepest, number, 200);
       for (std::size_t i = 0; i < batch.rays.size(); ++i) {
-        ask(glsl_map, batch, batch.rays[i], batch.horizons[i], tally);
+        ask(modules, batch, batch.rays[i], batch.horizons[i], tally);
       }
     }
   }
@@ -130,7 +133,7 @@ TEST_P(ExactShadow, AgreesWithTheOracleOutsideTheBandAtEveryLevel) {
 TEST_P(ExactShadow, IsOnTheRightSideOfItsOwnHorizon) {
   Tally tally;
   const HeightMap map = make(GetParam(), 333, 700);
-  const glsl::GnomonMap glsl_map = glsl::use_map(map);
+  const MapModules modules(map);
   const double steepest = oracle::steepest_slope(surface_of(map));
   for (int number = 0; tally.rays < 100000 && number < 2000; ++number) {
     const Batch batch = make_batch(map, steepest, number, 500);
@@ -138,8 +141,7 @@ TEST_P(ExactShadow, IsOnTheRightSideOfItsOwnHorizon) {
       for (const double side : {-1.005, 1.005}) {
         Asked asked = batch.rays[i];
         asked.elevation = (batch.horizons[i] + side * batch.band) * 180 / std::numbers::pi;
-        if (asked.elevation > 0 && asked.elevation < 90)
-          ask(glsl_map, batch, asked, batch.horizons[i], tally);
+        if (asked.elevation > 0 && asked.elevation < 90) ask(modules, batch, asked, batch.horizons[i], tally);
       }
     }
   }
@@ -160,7 +162,7 @@ TEST(Multilevel, AgreesWithTheOracleOnEveryEdgeAndCorner) {
   const HeightMap base = make("fractal", 61, 34);
   for (int q = 0; q <= gnomon::terrain::coarsest_level(base.width, base.height); ++q) {
     const HeightMap map = gnomon::terrain::level(base, q);
-    const glsl::GnomonMap glsl_map = glsl::use_map(map);
+    const MapModules modules(map);
     const auto east = static_cast<float>(map.domain_width);
     const auto south = static_cast<float>(map.domain_height);
     for (int azimuth = 0; azimuth < 360; azimuth += 15) {
@@ -179,8 +181,7 @@ TEST(Multilevel, AgreesWithTheOracleOnEveryEdgeAndCorner) {
       batch.horizons = oracle::horizons(surface_of(map), receivers, oracle::ground_direction(azimuth));
       for (std::size_t i = 0; i < batch.rays.size(); ++i) {
         for (const double elevation : {0.5, 3.0, 9.0}) {
-          ask(glsl_map, batch, {batch.rays[i].column, batch.rays[i].row, elevation}, batch.horizons[i],
-              tally);
+          ask(modules, batch, {batch.rays[i].column, batch.rays[i].row, elevation}, batch.horizons[i], tally);
         }
       }
     }
@@ -192,26 +193,30 @@ TEST(Multilevel, AgreesWithTheOracleOnEveryEdgeAndCorner) {
 
 TEST(Multilevel, EndsOnDegenerateMapsAndSuns) {
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 2}, {3, 5}}) {
-    const HeightMap map{width,
-                        height,
-                        1,
-                        1,
-                        double(width),
-                        double(height),
-                        std::vector<float>(std::size_t(width * height), 1.0F)};
-    const glsl::GnomonMap glsl_map = glsl::use_map(map);
+    const MapModules modules(gnomon::modules::flat_map(width, height));
     for (int azimuth = 0; azimuth < 360; azimuth += 15) {
       for (const double elevation : {0.0, 1e-4, 45.0, 89.9999, 90.0}) {
         for (float column = 0; column <= static_cast<float>(width); column += 0.5F) {
-          const auto receiver = glsl::gnomon_receiver_at(column, 0.5F * static_cast<float>(height), 0);
-          const auto answer = glsl::gnomon_multilevel(glsl_map, receiver, to_sun(azimuth, elevation), 0,
-                                                      glsl::step_limit(glsl_map));
+          const auto receiver = modules.gnomon_receiver_at(column, 0.5F * static_cast<float>(height), 0);
+          const auto answer = modules.gnomon_multilevel(modules.map(), receiver, to_sun(azimuth, elevation),
+                                                        0, modules.step_limit());
           EXPECT_NE(answer.cause, GNOMON_CAUSE_UNDECIDED);
           EXPECT_EQ(answer.shadow, elevation <= 0 ? 1.0F : 0.0F);
         }
       }
     }
   }
+}
+
+TEST(Climb, OneLevelWhereTheParentBlockChangesUpToTheTop) {
+  const MapModules modules(gnomon::modules::flat_map(4, 4));
+  EXPECT_EQ(modules.gnomon_climb(ivec2(6, 6), ivec2(7, 6), 0, 7), 0) << "both lie in block (3, 3)";
+  EXPECT_EQ(modules.gnomon_climb(ivec2(7, 6), ivec2(8, 6), 0, 7), 1);
+  EXPECT_EQ(modules.gnomon_climb(ivec2(7, 6), ivec2(7, 5), 0, 7), 1);
+  EXPECT_EQ(modules.gnomon_climb(ivec2(7, 6), ivec2(8, 6), 3, 7), 3) << "both lie in block (0, 0) of level 4";
+  EXPECT_EQ(modules.gnomon_climb(ivec2(127, 6), ivec2(128, 6), 3, 7), 4);
+  EXPECT_EQ(modules.gnomon_climb(ivec2(255, 6), ivec2(256, 6), 7, 7), 7);
+  EXPECT_EQ(modules.gnomon_climb(ivec2(0, 0), ivec2(-1, 0), 2, 7), 3) << "west of the map";
 }
 
 }  // namespace

@@ -17,6 +17,9 @@ struct Module {
   std::string source;   ///< paper and equation, or the page of docs/
   std::string host;     ///< host functions that it calls
   std::string options;  ///< macros that change it, with defaults
+
+  /// It is a ready-made host: it defines host functions, over textures or buffers.
+  [[nodiscard]] bool defines_host() const { return host.starts_with("defines "); }
 };
 
 /// The fields of one file's header; its name stays empty. A field is `// key: text` in the comment that the

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include "testing/gpu_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gnomon::modules {
+namespace {
+
+using M = Modules;
+using Random = RandomArguments;
+
+// `make` gives the arguments as a tuple.
+template <class R, class... P, class Make>
+Row exact(const char* name, R (Modules::*function)(P...) const, Make make) {
+  return {.function = describe(name, function),
+          .arguments = [make](Random& random) { return scalars_of(Given<P...>(make(random))); }};
+}
+
+// `largest` gives, for the modules and the same arguments, an answer that holds the largest intermediates.
+template <class R, class... P, class Make, class Largest>
+Row within_4_ulp(const char* name, R (Modules::*function)(P...) const, Make make, Largest largest) {
+  Row row = exact(name, function, make);
+  row.largest = [largest](const Modules& modules, std::span<const float> scalars) {
+    const auto given = std::tuple_cat(std::tie(modules), take_tuple<Given<P...>>(scalars));
+    return scalars_of(Answer<R, P...>(std::apply(largest, given)));
+  };
+  return row;
+}
+
+Row deciding(Row row) {
+  row.decides = true;
+  return row;
+}
+
+// A magnitude by which only zeros of different sign pass: max(0, -0) may be either.
+constexpr float kZeroOfEitherSign = std::numeric_limits<float>::min();
+
+// The largest of the numbers that come up on the way to a bilinear height and to its slopes, in double.
+// A compiler that sees gnomon_patch too may take slope + twist * y for a mix() of the slopes at both edges
+// and distribute it, so the slopes at the far edges count.
+class Bilinear {
+ public:
+  Bilinear(const M::GnomonPatch& p, dvec2 at)
+      : largest_(largest_of({p.origin, p.slope.x, p.slope.y, p.twist, double{p.slope.x} + p.twist,
+                             double{p.slope.y} + p.twist})),
+        slope_(p.slope.x + p.twist * at.y, p.slope.y + p.twist * at.x),
+        north_(p.origin + p.slope.x * at.x),
+        height_(north_ + at.y * slope_.y) {}
+
+  [[nodiscard]] float of_height(float above = 0) const {
+    return largest_of({largest_, slope_.y, north_, height_, above, above + height_});
+  }
+  [[nodiscard]] float of_slope(const M::GnomonRay& ray) const {
+    const dvec2 rise = slope_ * dvec2(ray.direction);
+    return largest_of(
+        {largest_, slope_.x, slope_.y, rise.x + rise.y, ray.rise, rise.x + rise.y - double{ray.rise}});
+  }
+
+ private:
+  [[nodiscard]] static float largest_of(std::initializer_list<double> numbers) {
+    double largest = 0;
+    for (const double number : numbers) largest = std::max(largest, std::abs(number));
+    return static_cast<float>(largest);
+  }
+
+  double largest_;
+  dvec2 slope_;
+  double north_;
+  double height_;
+};
+
+std::vector<Row> map_and_shadow_rows() {
+  return {
+      exact("gnomon_patch_of", &M::gnomon_patch_of,
+            [](Random& r) { return std::tuple{r.coordinate(r.chance(0.2F) ? 1e6F : 133)}; }),
+      exact("gnomon_receiver_at", &M::gnomon_receiver_at,
+            [](Random& r) {
+              return std::tuple{r.coordinate(16384), r.coordinate(133), r.height_above_ground()};
+            }),
+      exact("gnomon_shadow", &M::gnomon_shadow,
+            [](Random& r) {
+              return std::tuple{r.between(0, 1), r.whole(0, 200000), r.whole(0, 5)};
+            }),
+      exact("gnomon_shadow_without_ray", &M::gnomon_shadow_without_ray,
+            [](Random& r) { return std::tuple{r.any_sun()}; }),
+      // pow() is no sum, but GPUs compute it as exp2(shadow * log2(k)).
+      within_4_ulp(
+          "gnomon_k_shadow", &M::gnomon_k_shadow,
+          [](Random& r) {
+            const float shadow = static_cast<float>(r.whole(0, 1));
+            return std::tuple{r.chance(0.5F) ? r.between(0, 1) : shadow, r.between(-1, 1), r.between(0, 1),
+                              r.between(0, 1)};
+          },
+          [](const M&, float shadow, float sun_height, float dark, float bright) {
+            if (shadow <= 0 || shadow >= 1) return 0.0F;
+            const double k = dark + (double{bright} - dark) * std::max(double{sun_height}, 0.0);
+            return static_cast<float>(std::max(std::abs(std::log2(k)), std::pow(k, double{shadow})));
+          }),
+  };
+}
+
+// Heights that are stored as integers: every GPU has to see the same map.
+std::vector<Row> decode_rows() {
+  return {
+      exact("gnomon_stored_number", &M::gnomon_stored_number,
+            [](Random& r) {
+              const int largest = r.chance(0.5F) ? 255 : 65535;
+              const float channel = static_cast<float>(r.whole(0, largest)) / static_cast<float>(largest);
+              return std::tuple{r.chance(0.5F) ? channel : r.between(0, 1), static_cast<float>(largest)};
+            }),
+      exact("gnomon_stored_rgb", &M::gnomon_stored_rgb,
+            [](Random& r) {
+              const auto channel = [&] { return static_cast<float>(r.whole(0, 255)) / 255.0F; };
+              return std::tuple{channel(), channel(), channel()};
+            }),
+      // `precise` keeps product and sum apart.
+      exact("gnomon_scaled_height", &M::gnomon_scaled_height,
+            [](Random& r) {
+              return std::tuple{r.whole(0, 65535), r.power_of_ten(-4, 2), r.power_of_ten(0, 5)};
+            }),
+      exact(
+          "gnomon_exact_tenth", &M::gnomon_exact_tenth,
+          [](Random& r) {
+            const auto whole = static_cast<float>(r.whole(-16777215, 16777215));
+            return std::tuple{whole, whole / 10.0F * (1.0F + 0x1p-23F * static_cast<float>(r.whole(-3, 3)))};
+          }),
+      exact("gnomon_terrain_rgb_height", &M::gnomon_terrain_rgb_height,
+            [](Random& r) { return std::tuple{r.whole(0, 0xFFFFFF)}; }),
+      exact("gnomon_terrarium_height", &M::gnomon_terrarium_height,
+            [](Random& r) { return std::tuple{r.whole(0, 0xFFFFFF)}; }),
+  };
+}
+
+std::vector<Row> patch_rows() {
+  return {
+      exact("gnomon_patch", &M::gnomon_patch,
+            [](Random& r) {
+              return std::tuple{r.patch_index(), r.between(-100, 3000), r.whole(0, 7)};
+            }),
+      exact("gnomon_patch_height", &M::gnomon_patch_height,
+            [](Random& r) {
+              return std::tuple{r.patch(), vec2(r.fraction(), r.fraction())};
+            }),
+      exact("gnomon_enter_patch", &M::gnomon_enter_patch,
+            [](Random& r) {
+              return std::tuple{r.chance(0.2F) ? 0.0F : r.power_of_ten(-12, 0), r.whole(0, 16384),
+                                r.fraction()};
+            }),
+      exact("gnomon_inverse", &M::gnomon_inverse,
+            [](Random& r) { return std::tuple{r.chance(0.2F) ? 0.0F : r.power_of_ten(-12, 0)}; }),
+      exact("gnomon_domain_exit", &M::gnomon_domain_exit,
+            [](Random& r) {
+              return std::tuple{r.power_of_ten(-6, 4), r.chance(0.2F) ? 0.0F : r.power_of_ten(-12, 0)};
+            }),
+  };
+}
+
+std::vector<Row> ray_rows() {
+  return {
+      // The height is a bilinear sum. The end of a ray that stands in a corner is min(0, -0).
+      within_4_ulp(
+          "gnomon_ray", &M::gnomon_ray,
+          [](Random& r) {
+            return std::tuple{r.map(), r.receiver(), r.sun(), r.whole(0, 7)};
+          },
+          [](const M& modules, M::GnomonMap map, M::GnomonReceiver receiver, vec3 sun, int q) {
+            const M::GnomonRay ray = modules.gnomon_ray(map, receiver, sun, q);
+            M::GnomonRay largest{};
+            const Bilinear ground(modules.gnomon_patch(ray.start, ray.base, q), ray.fraction);
+            largest.height = ground.of_height(receiver.height);
+            largest.t_end = kZeroOfEitherSign;
+            return largest;
+          }),
+      exact("gnomon_ray_exits", &M::gnomon_ray_exits,
+            [](Random& r) {
+              const auto at = r.place(7);
+              return std::tuple{at.ray, at.low, at.level};
+            }),
+      exact("gnomon_ray_next", &M::gnomon_ray_next,
+            [](Random& r) {
+              const auto at = r.place(7);
+              return std::tuple{at.ray, at.cursor.patch_index, at.low, at.level, at.exits};
+            }),
+  };
+}
+
+std::vector<Row> crossing_rows() {
+  return {
+      // Slope and height at the entry are bilinear sums.
+      within_4_ulp(
+          "gnomon_crossing", &M::gnomon_crossing,
+          [](Random& r) {
+            const auto at = r.place(0);
+            return std::tuple{at.ray, at.cursor.patch_index, at.cursor.t, r.whole(0, 7)};
+          },
+          [](const M& modules, M::GnomonRay ray, ivec2 patch, float t, int q) {
+            const dvec2 entry =
+                dvec2(ray.fraction) + dvec2(ray.direction) * double{t} - dvec2(patch - ray.start);
+            const Bilinear ground(modules.gnomon_patch(patch, ray.base, q), clamp(entry, dvec2(0), dvec2(1)));
+            return M::GnomonCrossing{
+                .slope = ground.of_slope(ray), .curvature = 0, .above = ground.of_height()};
+          }),
+      exact("gnomon_clearance_at", &M::gnomon_clearance_at,
+            [](Random& r) {
+              return std::tuple{r.crossing(), r.chance(0.2F) ? 0.0F : -std::abs(r.power_of_ten(-6, 4)),
+                                1.5F * r.fraction()};
+            }),
+      deciding(exact("gnomon_crossing_hides", &M::gnomon_crossing_hides,
+                     [](Random& r) {
+                       const auto crossing = r.crossing();
+                       const float crossed = 1.5F * r.fraction();
+                       return std::tuple{crossing, r.clearance(crossing, crossed), crossed};
+                     })),
+      deciding(exact("gnomon_far_patch_hides", &M::gnomon_far_patch_hides,
+                     [](Random& r) {
+                       const auto at = r.place(0);
+                       return std::tuple{at.ray, at.cursor.patch_index, at.cursor.t, at.exits, r.whole(0, 7)};
+                     })),
+  };
+}
+
+std::vector<Row> walk_rows() {
+  return {
+      within_4_ulp(
+          "gnomon_leave_block", &M::gnomon_leave_block,
+          [](Random& r) {
+            const auto at = r.place(7);
+            return std::tuple{at.ray,   at.cursor, at.low,
+                              at.level, at.exits,  r.chance(0.2F) ? GNOMON_NEVER : r.between(0, 100)};
+          },
+          [](const M&, M::GnomonRay, M::GnomonCursor, ivec2, int, vec2, float) {
+            return M::GnomonCursor{.patch_index = {}, .t = kZeroOfEitherSign, .steps = 0, .cause = 0};
+          }),
+      exact("gnomon_t_above", &M::gnomon_t_above,
+            [](Random& r) {
+              return std::tuple{r.map(), r.ray()};
+            }),
+      exact("gnomon_walk_answer", &M::gnomon_walk_answer,
+            [](Random& r) {
+              return std::tuple{
+                  M::GnomonCursor{r.patch_index(), r.between(0, 100), r.whole(0, 200000), r.whole(0, 5)}};
+            }),
+      deciding(exact("gnomon_near_walk", &M::gnomon_near_walk,
+                     [](Random& r) {
+                       const auto map = r.map();
+                       const auto receiver = r.receiver();
+                       return std::tuple{r.modules().gnomon_ray(map, receiver, r.sun(), 0), receiver.height,
+                                         r.whole(0, 7)};
+                     })),
+  };
+}
+
+std::vector<Row> method_rows() {
+  const auto shadow_arguments = [](Random& r) {
+    const auto map = r.map();
+    const auto receiver = r.receiver();
+    const vec3 sun = r.chance(0.005F) ? r.sun_at_horizon(map, receiver) : r.any_sun();
+    return std::tuple{map, receiver, sun, r.whole(0, 7),
+                      r.chance(0.1F) ? r.whole(0, 50) : r.modules().step_limit()};
+  };
+  return {
+      deciding(exact("gnomon_brute_force", &M::gnomon_brute_force, shadow_arguments)),
+      deciding(exact("gnomon_multilevel", &M::gnomon_multilevel, shadow_arguments)),
+  };
+}
+
+std::vector<Row> relief_rows() {
+  return {
+      exact("gnomon_coarser_height", &M::gnomon_coarser_height,
+            [](Random& r) {
+              const ivec2 size = r.modules().map().size;
+              return std::tuple{ivec2(r.whole(0, (size.x - 1) / 2), r.whole(0, (size.y - 1) / 2)), size,
+                                r.whole(0, 7)};
+            }),
+      exact("gnomon_extrema_of_patches", &M::gnomon_extrema_of_patches,
+            [](Random& r) {
+              return std::tuple{r.patch_index() / 2, r.whole(0, 7)};
+            }),
+      exact("gnomon_extrema_of_blocks", &M::gnomon_extrema_of_blocks,
+            [](Random& r) {
+              const int level = r.whole(2, 7);
+              return std::tuple{r.patch_index() >> level, level, r.whole(0, 7)};
+            }),
+      exact("gnomon_climb", &M::gnomon_climb,
+            [](Random& r) {
+              const ivec2 left = r.patch_index();
+              const int reach = 1 << r.whole(0, 7);
+              return std::tuple{left, left + ivec2(r.whole(-reach, reach), r.whole(-reach, reach)),
+                                r.whole(0, 7), r.whole(1, 14)};
+            }),
+  };
+}
+
+}  // namespace
+
+std::vector<Row> rows() {
+  std::vector<Row> all;
+  for (auto make : {map_and_shadow_rows, decode_rows, patch_rows, ray_rows, crossing_rows, walk_rows,
+                    method_rows, relief_rows}) {
+    for (Row& row : make()) all.push_back(std::move(row));
+  }
+  return all;
+}
+
+}  // namespace gnomon::modules

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// How each function of the modules is compared between GPU and C++.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "testing/module_function.h"
+#include "testing/random_arguments.h"
+
+namespace gnomon::modules {
+
+struct Row {
+  ModuleFunction function;
+  /// The scalars of one call.
+  std::function<std::vector<float>(RandomArguments&)> arguments;
+  /// For the scalars of a call: the largest intermediate of each scalar of its answer, 0 where GPU and C++
+  /// have to be equal to the bit. Empty: all have to be.
+  std::function<std::vector<float>(const Modules&, std::span<const float>)> largest{};
+  /// The answer hangs on a comparison of rounded numbers: where it changes with the last bits of the
+  /// arguments, either answer is right.
+  bool decides = false;
+};
+
+/// One row a function.
+[[nodiscard]] std::vector<Row> rows();
+
+}  // namespace gnomon::modules

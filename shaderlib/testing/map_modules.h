@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// The shader modules as C++ over a height map in memory: the very code that the GPU runs, for tests.
+#pragma once
+
+#include <gnomon/modules.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "terrain/height_map.h"
+
+namespace gnomon::modules {
+
+/// The modules over one level of a height map, with its block maxima built by relief/extrema.
+class MapModules final : public Modules {
+ public:
+  explicit MapModules(terrain::HeightMap heights, int top_level = 7) : heights_(std::move(heights)) {
+    ivec2 size((heights_.width + 2) / 2, (heights_.height + 2) / 2);
+    for (int level = 1; level <= top_level; ++level, size = (size + 1) / 2) {
+      extrema_.push_back({size, {}});
+      for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) extrema_.back().values.push_back(highest_of(ivec2(x, y), level));
+      }
+    }
+    map_ = {.size = ivec2(heights_.width, heights_.height),
+            .domain = vec2(heights_.domain_width, heights_.domain_height),
+            .spacing = vec2(heights_.spacing_x, heights_.spacing_y),
+            .highest = *std::max_element(heights_.samples.begin(), heights_.samples.end()),
+            .top_level = top_level};
+  }
+
+  [[nodiscard]] float gnomon_host_height(ivec2 sample_index, int) const override {
+    return heights_.at(clamp(sample_index.y, 0, heights_.height - 1),
+                       clamp(sample_index.x, 0, heights_.width - 1));
+  }
+
+  [[nodiscard]] float gnomon_host_extrema(ivec2 block, int level, int) const override {
+    const auto& [size, values] = extrema_.at(static_cast<std::size_t>(level - 1));
+    const ivec2 inside = clamp(block, ivec2(0), size - 1);
+    return values[static_cast<std::size_t>(inside.y) * static_cast<std::size_t>(size.x) +
+                  static_cast<std::size_t>(inside.x)];
+  }
+
+  [[nodiscard]] const terrain::HeightMap& heights() const { return heights_; }
+
+  /// What a shadow method takes.
+  [[nodiscard]] const GnomonMap& map() const { return map_; }
+
+  /// Steps that always suffice, which a runner hands in.
+  [[nodiscard]] int step_limit() const { return 8 * (heights_.width + heights_.height); }
+
+ private:
+  struct Level {
+    ivec2 size;
+    std::vector<float> values;
+  };
+
+  [[nodiscard]] float highest_of(ivec2 block, int level) const {
+    return level == 1 ? gnomon_extrema_of_patches(block, 0) : gnomon_extrema_of_blocks(block, level, 0);
+  }
+
+  terrain::HeightMap heights_;
+  std::vector<Level> extrema_;
+  GnomonMap map_{};
+};
+
+/// A map on which every sample is `height` metres high, 1 m apart.
+[[nodiscard]] inline terrain::HeightMap flat_map(int width, int height, float metres = 5.0F) {
+  const auto samples = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  return {width, height, 1, 1, double(width), double(height), std::vector<float>(samples, metres)};
+}
+
+}  // namespace gnomon::modules
