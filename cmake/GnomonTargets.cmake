@@ -26,7 +26,8 @@ function(gnomon_library)
   cmake_parse_arguments(arg "" "NAME" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(gnomon_${arg_NAME} STATIC ${arg_SOURCES})
   add_library(gnomon::${arg_NAME} ALIAS gnomon_${arg_NAME})
-  target_link_libraries(gnomon_${arg_NAME} PUBLIC ${arg_PUBLIC} PRIVATE gnomon_options ${arg_PRIVATE})
+  target_link_libraries(gnomon_${arg_NAME} PUBLIC ${arg_PUBLIC}
+                                              PRIVATE $<BUILD_INTERFACE:gnomon_options> ${arg_PRIVATE})
 endfunction()
 
 # gnomon_unit_test(NAME name SOURCES ... LIBS ...): one GoogleTest program, known to CTest as one entry.

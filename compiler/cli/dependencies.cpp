@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "cli/dependencies.h"
 
-#include <filesystem>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "cli/output.h"
 #include "gnomon/atomic_file.h"
 #include "gnomon/compiler/depfile.h"
 #include "gnomon/compiler/graph.h"
@@ -14,12 +15,7 @@ namespace gnomon::cli {
 Result<Done> write_depfile(const Command& command) {
   if (command.depfile.empty()) return Done{};
   const std::vector<std::string> files = compiler::files_read(command.files.front(), command.options);
-  std::error_code ignored;
-  for (const std::string& file : files) {
-    if (std::filesystem::equivalent(file, command.depfile, ignored))
-      return Diagnostic{.file = command.depfile,
-                        .message = "is a source of this shader: name another file with -MF"};
-  }
+  if (auto replaced = replaced_source(files, {command.depfile, command.output})) return *std::move(replaced);
   const std::string rule = compiler::to_depfile(command.output, files);
   return write_file_atomically(command.depfile, std::as_bytes(std::span(rule)));
 }

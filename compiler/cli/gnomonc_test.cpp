@@ -59,6 +59,8 @@ TEST_F(Gnomonc, OutputMustNotBeASource) {
   tree.file("b.glsl", "// b\n");
   EXPECT_EQ(run("build a.frag -o ./b.glsl").code, 2);
   EXPECT_EQ(tree.read("b.glsl"), "// b\n");
+  EXPECT_EQ(run("build a.frag -o b.glsl -MF none.d").code, 2);
+  EXPECT_EQ(tree.read("none.d"), "");
 }
 
 TEST_F(Gnomonc, OutputThatIsNotWritableIsNinetyNine) {
@@ -134,6 +136,49 @@ TEST_F(Gnomonc, LibraryIsFoundWithoutOptions) {
   EXPECT_EQ(listed.out.find("programs/"), std::string::npos);
   tree.file("m.glsl", "#include <gnomon/core/portable.glsl>\nvoid f(GNOMON_OUT(float) x) { x = 1.0f; }\n");
   EXPECT_EQ(run("check m.glsl").code, 0);
+}
+
+TEST_F(Gnomonc, DepfileNamesWhatWasRead) {
+  tree.file("a.frag", "#include \"b.glsl\"\nvoid main() {}\n");
+  tree.file("b.glsl", "float b;\n");
+  EXPECT_EQ(run("build a.frag -MD -o out").code, 0);
+  EXPECT_EQ(tree.read("out.d"), "out: \\\n  a.frag \\\n  b.glsl\nb.glsl:\n");
+  EXPECT_EQ(run("build a.frag -MF my.d -o out").code, 0);
+  EXPECT_EQ(run("build a.frag -MD -MFsame.d -o out").code, 0);
+  EXPECT_EQ(tree.read("my.d"), tree.read("out.d"));
+  EXPECT_EQ(tree.read("same.d"), tree.read("out.d"));
+}
+
+TEST_F(Gnomonc, DepfileOfAFailureNamesWhatWasReadToo) {
+  tree.file("a.frag", "#include \"b.glsl\"\n#include \"c.glsl\"\nvoid main() {}\n");
+  tree.file("b.glsl", "float b = x;\n");
+  tree.file("out", "older");
+  EXPECT_EQ(run("build a.frag -MD -o out").code, 1);
+  EXPECT_EQ(tree.read("out.d"), "out: \\\n  a.frag \\\n  b.glsl \\\n  c.glsl\nb.glsl:\nc.glsl:\n");
+  tree.file("c.glsl", "float c;\n");
+  EXPECT_EQ(run("build a.frag -MD -o out").code, 1);
+  EXPECT_EQ(tree.read("out"), "older");
+}
+
+TEST_F(Gnomonc, DepfileThatCannotBeWritten) {
+  tree.file("a.frag", "void main() {}\n");
+  for (const std::string arguments : {"-MD", "-MF x", "-o out -MF", "-o out -MF out", "-o out -MF a.frag"}) {
+    EXPECT_EQ(run("build a.frag " + arguments).code, 2) << arguments;
+    EXPECT_EQ(tree.read("out"), "") << arguments;
+  }
+  EXPECT_EQ(run("build a.frag -o out -MF none/x").code, 99);
+  EXPECT_EQ(tree.read("out"), "");
+  EXPECT_EQ(tree.read("a.frag"), "void main() {}\n");
+}
+
+TEST_F(Gnomonc, GraphNamesEveryFile) {
+  tree.file("a.frag", "#include \"b.glsl\"\nno shader at all\n");
+  tree.file("b.glsl", "float b;\n");
+  EXPECT_EQ(run("graph a.frag").out, "a.frag\n  b.glsl\n");
+  EXPECT_NE(run("graph --dot a.frag").out.find("\"a.frag\" -> \"b.glsl\";"), std::string::npos);
+  EXPECT_EQ(run("graph none.frag").code, 2);
+  tree.file("b.glsl", "#include \"a.frag\"\n");
+  EXPECT_EQ(run("graph a.frag").code, 1);
 }
 
 TEST_F(Gnomonc, HelpAndVersion) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -17,20 +16,23 @@ Result<Done> print(const std::string& text) {
   return Diagnostic{.message = "cannot write to standard output", .failure = Failure::kMachine};
 }
 
-namespace {
-
-bool is_source(const compiler::Compiled& shader, const std::string& path) {
+std::optional<Diagnostic> replaced_source(const std::vector<std::string>& sources,
+                                          const std::vector<std::string>& outputs) {
   std::error_code ignored;
-  return std::ranges::any_of(shader.source.files, [&](const std::string& source) {
-    return std::filesystem::equivalent(source, path, ignored);
-  });
+  for (const std::string& output : outputs) {
+    for (const std::string& source : sources) {
+      if (std::filesystem::equivalent(source, output, ignored))
+        return Diagnostic{.file = output, .message = "is a source of this shader: write to another file"};
+    }
+  }
+  return std::nullopt;
 }
 
+namespace {
+
 std::optional<Diagnostic> wrong_files(const compiler::Compiled& shader, const Command& command) {
-  for (const std::string& path : {command.output, command.reflection}) {
-    if (!path.empty() && is_source(shader, path))
-      return Diagnostic{.file = path, .message = "is a source of this shader: write to another file"};
-  }
+  if (auto replaced = replaced_source(shader.source.files, {command.output, command.reflection}))
+    return replaced;
   if (!command.reflection.empty() &&
       (command.reflection == command.output || command.reflection == command.depfile))
     return Diagnostic{.file = command.reflection,

@@ -2,11 +2,17 @@
 // Where a command's result goes.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/command_line.h"
 
 namespace gnomon::cli {
+
+/// Why nothing may be written: one of `outputs` is one of `sources` (kInvalid). An empty path is no output.
+[[nodiscard]] std::optional<Diagnostic> replaced_source(const std::vector<std::string>& sources,
+                                                        const std::vector<std::string>& outputs);
 
 /// Writes to standard output. Fails (kMachine) where not all of it arrives.
 [[nodiscard]] Result<Done> print(const std::string& text);

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+# Shaders as part of a build. Documented in docs/building-with-gnomon.md.
+#
+#   gnomon_add_shaders(TARGET <t> SOURCES <file>... TARGETS <target>...
+#                      [DEFINES <NAME[=VALUE]>...] [INCLUDE_DIRECTORIES <dir>...] [EMBED <target>...]
+#                      [OUTPUT_DIRECTORY <dir>])
+#
+# Compiles every source for every target with gnomonc while <t> is built, again whenever the source, a file that it
+# includes, an option or gnomonc changes. The outputs are <dir>/<file name>.<suffix>, by default in
+# ${CMAKE_CURRENT_BINARY_DIR}/<t>_shaders; the property GNOMON_SHADERS of <t> lists them with their paths. With the
+# target `header` the folder is an include directory of <t>.
+cmake_minimum_required(VERSION 3.25)
+
+set(gnomon_suffixes
+    "glsl450:glsl450.glsl" "glsl330:glsl330.glsl" "essl300:essl300.glsl" "essl310:essl310.glsl" "vulkan:vulkan.spv"
+    "opengl:opengl.spv" "hlsl50:hlsl50.hlsl" "msl21:msl21.metal" "header:h")
+
+function(gnomon_suffix_of target result)
+  foreach(pair IN LISTS gnomon_suffixes)
+    if(pair MATCHES "^${target}:(.*)$")
+      set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  string(REGEX REPLACE ":[^;]*" "" known "${gnomon_suffixes}")
+  list(JOIN known ", " known)
+  message(FATAL_ERROR "gnomon_add_shaders: unknown target \"${target}\": known are ${known}")
+endfunction()
+
+# One source for one target; `options` are those of gnomonc.
+function(gnomon_add_shader source target output options)
+  # Make does not run a command again because its options changed; a file with them does it for every generator.
+  file(GENERATE OUTPUT "${output}.options" CONTENT "${source} ${target} ${options}\n")
+  add_custom_command(
+    OUTPUT "${output}"
+    COMMAND "$<TARGET_FILE:gnomon::gnomonc>" build "${source}" --target "${target}" ${options} -o "${output}" -MD
+    DEPENDS "${source}" "${output}.options" "$<TARGET_FILE:gnomon::gnomonc>"
+    DEPFILE "${output}.d"
+    COMMENT "Compiling shader ${output}"
+    VERBATIM)
+  set_source_files_properties("${output}" PROPERTIES HEADER_FILE_ONLY TRUE)
+endfunction()
+
+function(gnomon_add_shaders)
+  set(lists SOURCES TARGETS DEFINES INCLUDE_DIRECTORIES EMBED)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIRECTORY" "${lists}")
+  foreach(name TARGET SOURCES TARGETS)
+    if(NOT arg_${name})
+      message(FATAL_ERROR "gnomon_add_shaders: ${name} is missing")
+    endif()
+  endforeach()
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "gnomon_add_shaders: what is \"${arg_UNPARSED_ARGUMENTS}\"? Expected TARGET, SOURCES, "
+                        "TARGETS, DEFINES, INCLUDE_DIRECTORIES, EMBED or OUTPUT_DIRECTORY before it")
+  endif()
+  if(NOT TARGET "${arg_TARGET}")
+    message(FATAL_ERROR "gnomon_add_shaders: there is no target \"${arg_TARGET}\": add it before its shaders")
+  endif()
+  if(NOT TARGET gnomon::gnomonc)
+    message(FATAL_ERROR "gnomon_add_shaders: the program gnomonc is not installed beside this CMake package: install "
+                        "gnomon's component `tools` too")
+  endif()
+
+  cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIRECTORY BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
+  if(NOT DEFINED arg_OUTPUT_DIRECTORY OR arg_OUTPUT_DIRECTORY STREQUAL "")
+    set(arg_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${arg_TARGET}_shaders")
+  endif()
+  file(MAKE_DIRECTORY "${arg_OUTPUT_DIRECTORY}")
+  set(options)
+  foreach(define IN LISTS arg_DEFINES)
+    list(APPEND options -D "${define}")
+  endforeach()
+  foreach(directory IN LISTS arg_INCLUDE_DIRECTORIES)
+    cmake_path(ABSOLUTE_PATH directory NORMALIZE)
+    list(APPEND options -I "${directory}")
+  endforeach()
+
+  get_target_property(known "${arg_TARGET}" GNOMON_SHADERS)
+  if(NOT known)
+    set(known)
+  endif()
+  set(outputs)
+  foreach(source IN LISTS arg_SOURCES)
+    cmake_path(ABSOLUTE_PATH source NORMALIZE)
+    cmake_path(GET source FILENAME name)
+    foreach(target IN LISTS arg_TARGETS)
+      gnomon_suffix_of("${target}" suffix)
+      set(output "${arg_OUTPUT_DIRECTORY}/${name}.${suffix}")
+      if(output IN_LIST outputs OR output IN_LIST known)
+        message(FATAL_ERROR "gnomon_add_shaders: two sources would be written to \"${output}\": rename one, or call "
+                            "gnomon_add_shaders again for it with another OUTPUT_DIRECTORY")
+      endif()
+      set(own_options ${options})
+      if(target STREQUAL "header")
+        foreach(embedded IN LISTS arg_EMBED)
+          list(APPEND own_options --embed "${embedded}")
+        endforeach()
+      endif()
+      gnomon_add_shader("${source}" "${target}" "${output}" "${own_options}")
+      list(APPEND outputs "${output}")
+    endforeach()
+  endforeach()
+  target_sources("${arg_TARGET}" PRIVATE ${outputs})
+  set_property(TARGET "${arg_TARGET}" APPEND PROPERTY GNOMON_SHADERS ${outputs})
+  get_target_property(type "${arg_TARGET}" TYPE)
+  if("header" IN_LIST arg_TARGETS AND NOT type STREQUAL "UTILITY")
+    target_include_directories("${arg_TARGET}" PRIVATE "${arg_OUTPUT_DIRECTORY}")
+  endif()
+endfunction()

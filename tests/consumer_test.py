@@ -1,0 +1,177 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Installs gnomon, moves the installation, and builds tests/consumer with it, as a stranger would.
+
+Usage: consumer_test.py BUILD_DIRECTORY CMAKE CXX
+
+With Ninja and with Make: a build without a change runs nothing; a touched include rebuilds exactly the shaders whose
+`gnomonc graph` names it; an error in an include is reported at its line and mended there. Then the same program by
+pkg-config and a hand-written Makefile. Exit code 1 and the reason at the first thing that does not hold.
+"""
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+BUILD, CMAKE, CXX = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
+SOURCES = ["hill.frag", "flat.frag", "quad.vert"]
+COMPILING = "Compiling shader"
+
+
+def expect(holds, text):
+    if not holds:
+        sys.exit(f"consumer_test: {text}")
+
+
+def run(*words, fails=False, **options):
+    """Standard output and error together; the exit code has to be as expected."""
+    words = [str(word) for word in words]
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
+    expect((done.returncode != 0) == fails, f"{' '.join(words)} ended with {done.returncode}:\n{done.stdout}")
+    return done.stdout
+
+
+def install(folder):
+    """An installation that was moved after it was made."""
+    run(CMAKE, "--install", BUILD, "--prefix", folder / "first")
+    prefix = folder / "elsewhere" / "moved"
+    prefix.parent.mkdir()
+    shutil.move(folder / "first", prefix)
+    return prefix
+
+
+def check_programs(prefix):
+    library = prefix / "share" / "gnomon"
+    listed = run(prefix / "bin" / "gnomonc", "list")
+    expect("relief/multilevel" in listed, f"gnomonc list does not find the installed library:\n{listed}")
+    told = run(prefix / "bin" / "gnomon", "info")
+    expect(str(library) in told, f"gnomon info does not name {library}:\n{told}")
+    program = library / "programs" / "multilevel.frag"
+    graph = run(prefix / "bin" / "gnomonc", "graph", program).splitlines()
+    expect(all(Path(line.strip()).is_relative_to(library) for line in graph), "an include lies outside of the prefix")
+    strays = [path for path in library.rglob("*") if path.suffix in (".cpp", ".h", ".txt")]
+    expect(not strays, f"the installed library has files that are no shaders: {strays}")
+
+
+class Project:
+    """A copy of the consumer, built with one generator."""
+
+    def __init__(self, folder, prefix, generator):
+        self.prefix, self.generator = prefix, generator
+        self.source = folder / f"the project, {generator}"  # blanks and a comma have to work
+        self.binary = self.source / "build"
+        shutil.copytree(HERE / "consumer", self.source)
+
+    def configure(self, *options, fails=False):
+        return run(CMAKE, "-G", self.generator, "-S", self.source, "-B", self.binary, f"-DCMAKE_CXX_COMPILER={CXX}",
+                   f"-DCMAKE_PREFIX_PATH={self.prefix}", *options, fails=fails)
+
+    def build(self, fails=False):
+        return run(CMAKE, "--build", self.binary, "-j2", fails=fails)
+
+    def start(self):
+        run(self.binary / "consumer", self.source / "shaders", self.prefix / "share" / "gnomon")
+        run(self.binary / "modules")
+
+    def times(self):
+        outputs = (self.binary / "outputs.txt").read_text().split("\n")[:-1]
+        expect(len(outputs) == 9, f"GNOMON_SHADERS lists {outputs}")
+        return {Path(output).name: os.stat(output).st_mtime_ns for output in outputs}
+
+    def rebuilt(self):
+        """The sources whose every output a build renews; none may renew a part of its outputs only."""
+        before = self.times()
+        self.build()
+        changed = {name for name, time in self.times().items() if time != before[name]}
+        sources = {source for source in SOURCES if any(name.startswith(source) for name in changed)}
+        expected = {name for name in before if name.startswith(tuple(sources) or ("none",))}
+        expect(changed == expected, f"only a part was rebuilt: {sorted(changed)}")
+        return sources
+
+    def graphs(self):
+        """Source -> the files that it includes."""
+        gnomonc, folder = self.prefix / "bin" / "gnomonc", self.source / "shaders"
+        graphs = {}
+        for source in SOURCES:
+            text = run(gnomonc, "graph", folder / source, "-I", folder)
+            graphs[source] = {line.strip() for line in text.splitlines()[1:]}
+        return graphs
+
+
+def check_unchanged(project):
+    before = project.times()
+    said = project.build()
+    if project.generator == "Ninja":
+        expect("no work to do" in said, f"ninja works without a change:\n{said}")
+    expect(COMPILING not in said and "Building" not in said, f"a build without a change runs commands:\n{said}")
+    expect(project.times() == before, "a build without a change renews outputs")
+
+
+def check_touched(project):
+    graphs = project.graphs()
+    for include in sorted(set().union(*graphs.values())):
+        os.utime(include)
+        users = {source for source in SOURCES if include in graphs[source]}
+        rebuilt = project.rebuilt()
+        expect(rebuilt == users, f"{include} is used by {sorted(users)}, rebuilt were {sorted(rebuilt)}")
+    expect(graphs["hill.frag"] and graphs["flat.frag"] and not graphs["quad.vert"], f"not the graphs meant: {graphs}")
+    os.utime(project.source / "shaders" / "quad.vert")
+    expect(project.rebuilt() == {"quad.vert"}, "a touched source does not rebuild just its own outputs")
+
+
+def check_error(project):
+    include = project.source / "shaders" / "common" / "light.glsl"
+    whole, before = include.read_text(), project.times()
+    include.write_text(whole.replace("dot(normal, u_to_sun)", "dot(normal, u_to_moon)"))
+    line = 1 + next(n for n, text in enumerate(whole.split("\n")) if "dot(normal" in text)
+    said = project.build(fails=True)
+    expect(f"{include}:{line}: error: 'u_to_moon'" in said, f"the error is not located:\n{said}")
+    expect(project.times() == before, "an error changes outputs")
+    include.write_text(whole)
+    expect(project.rebuilt() == {"hill.frag"}, "the mended include does not rebuild what uses it")
+
+
+def check_cmake(folder, prefix, generator):
+    project = Project(folder, prefix, generator)
+    said = project.configure("-DFURTHER_COMPONENT=bogus", fails=True)
+    expect('gnomon has no component "bogus"' in " ".join(said.split()), f"an unknown component is not named:\n{said}")
+    project.configure("-DFURTHER_COMPONENT=")
+    project.build()
+    project.start()
+    check_unchanged(project)
+    check_touched(project)
+    check_error(project)
+    project.configure("-DBLUE=0.25")
+    expect(project.rebuilt() == set(SOURCES), "other DEFINES do not rebuild the shaders")
+    project.start()
+    check_unchanged(project)
+
+
+def check_make(folder, prefix):
+    project = folder / "by-hand"
+    shutil.copytree(HERE / "consumer", project)
+    environment = dict(os.environ, PKG_CONFIG_PATH=str(next(prefix.rglob("pkgconfig"))), CXX=CXX)
+    make = ("make", "-C", project)
+    run(*make, env=environment)
+    library = run("pkg-config", "--variable=shaderdir", "gnomon", env=environment).strip()
+    run(project / "consumer", project / "shaders", library)
+    run(*make, "-q", env=environment)
+    os.utime(project / "shaders" / "common" / "light.glsl")
+    would = run(*make, "-n", env=environment)
+    expect("hill.frag.h" in would and "flat.frag.h" not in would, f"make does not follow the depfiles:\n{would}")
+
+
+def main():
+    with tempfile.TemporaryDirectory(prefix="gnomon-consumer-") as name:
+        folder = Path(name).resolve()
+        prefix = install(folder)
+        check_programs(prefix)
+        for generator in ("Ninja", "Unix Makefiles"):
+            check_cmake(folder, prefix, generator)
+        check_make(folder, prefix)
+
+
+main()
