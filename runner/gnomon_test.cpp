@@ -267,6 +267,19 @@ TEST_F(Gnomon, DiffOfEqualImagesIsZeroAndOfOtherSizesOne) {
   EXPECT_EQ(run("diff a.exr a.exr --tolerance nonsense").code, 2);
 }
 
+TEST_F(Gnomon, DiffOfNamedChannelsLooksAtNoOther) {
+  write_scene("a", R"([{"reference": {}}])");
+  ASSERT_EQ(run("render testcases/a.json -o a.exr").code, 0);
+  ASSERT_EQ(run("render testcases/a.json --set shadow.k_dark=0.5 -o k.exr").code, 0);
+  ASSERT_EQ(run("render testcases/a.json --set shadow.method=reference -o r.exr").code, 0);
+  EXPECT_EQ(run("diff a.exr k.exr").code, 1);
+  EXPECT_EQ(run("diff a.exr k.exr --channel b_shadow --channel steps").code, 0);
+  EXPECT_EQ(run("diff a.exr k.exr --channel b_shadow --channel k_shadow").code, 1);
+  EXPECT_EQ(run("diff a.exr r.exr").code, 1);  // an engine's image has no horizon
+  EXPECT_EQ(run("diff a.exr r.exr --channel b_shadow").code, 0);
+  EXPECT_EQ(run("diff a.exr r.exr --channel shadow").code, 2);
+}
+
 TEST_F(Gnomon, ReferenceNeedsNoOpenGl) {
   write_scene("a", R"([{"reference": {}}])");
   const Ran ran = run("render testcases/a.json --set shadow.method=reference -o a.exr");

@@ -191,6 +191,9 @@ void add_diff(CLI::App& root, DiffArguments& a) {
   app->add_option("EXPECTED", a.expected, "image to hold it against; its channel 'band' masks pixels")
       ->required();
   app->add_option("-o", a.output, "picture of the difference")->type_name("DIFF.png");
+  app->add_option("--channel", a.channels, "compare this channel only (repeatable)")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   app->add_option("--tolerance", a.tolerances,
                   "absolute difference that passes, for one channel or for all (repeatable)")
       ->type_name("[CHANNEL=]ABS")

@@ -49,6 +49,7 @@ struct TestArguments {
 
 struct DiffArguments {
   std::string actual, expected, output;
+  std::vector<std::string> channels;    ///< empty: all of EXPECTED
   std::vector<std::string> tolerances;  ///< [CHANNEL=]ABS
   double max_mismatch = 0;
 };

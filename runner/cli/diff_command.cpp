@@ -29,6 +29,26 @@ Result<Done> add_tolerance(const std::string& text, judge::CompareOptions& optio
   return Done{};
 }
 
+/// Fills in the channels to compare: those that `--channel` names, else all of the expected image but the
+/// band. A golden leaves out the steps; two renders that someone compares by hand do not.
+Result<Done> name_channels(const DiffArguments& arguments, const image::Image& expected,
+                           judge::CompareOptions& options) {
+  options.channels = {arguments.channels.begin(), arguments.channels.end()};
+  const auto lacks = [&](const std::string& option, const std::string& name) {
+    return Diagnostic{.file = option + " " + name, .message = arguments.expected + " has no such channel"};
+  };
+  for (const std::string& name : arguments.channels) {
+    if (!expected.channel(name)) return lacks("--channel", name);
+  }
+  for (const auto& [name, tolerance] : options.tolerance) {
+    if (!expected.channel(name)) return lacks("--tolerance", name);
+  }
+  for (const auto& [name, values] : expected.channels) {
+    if (arguments.channels.empty() && name != "band") options.channels.insert(name);
+  }
+  return Done{};
+}
+
 }  // namespace
 
 int run_command(const DiffArguments& arguments, Console& console) {
@@ -53,16 +73,8 @@ int run_command(const DiffArguments& arguments, Console& console) {
   if (!expected) code = worse(code, report(console, expected.diagnostics()));
   if (code != 0) return code;
 
-  for (const auto& [name, tolerance] : options.tolerance) {
-    if (!expected->channel(name)) {
-      return report(
-          console, {{.file = "--tolerance " + name, .message = arguments.expected + " has no such channel"}});
-    }
-  }
-  // A golden leaves out the steps; two renders that someone compares by hand do not.
-  for (const auto& [name, values] : expected->channels) {
-    if (name != "band") options.channels.insert(name);
-  }
+  if (const Result<Done> named = name_channels(arguments, *expected, options); !named)
+    return report(console, named.diagnostics());
   const judge::Verdict verdict = judge::compare(*actual, *expected, options);
   console.out << (verdict.passed ? "same: " : "different: ") << verdict.measured
               << ", allowed: " << verdict.limit << "\n";
