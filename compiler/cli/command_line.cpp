@@ -18,6 +18,7 @@ struct Typed {
   std::string stage;
   std::string error_format = "gcc";
   bool wants_depfile = false;  // -MD
+  bool embeds = false;         // --embed
 };
 
 std::vector<std::string> stage_names() {
@@ -83,8 +84,6 @@ std::optional<Diagnostic> name_depfile(Command& command, bool wanted) {
   if (!wanted && command.depfile.empty()) return std::nullopt;
   if (command.output.empty()) return Diagnostic{.message = "-MD and -MF need -o OUT, which the rule is for"};
   if (command.depfile.empty()) command.depfile = command.output + ".d";
-  if (command.depfile == command.output)
-    return Diagnostic{.file = command.output, .message = "is both OUT and the file of -MF: name two files"};
   return std::nullopt;
 }
 
@@ -101,10 +100,20 @@ CommandLine finish(Typed typed) {
     if (!define) return refuse(define.diagnostics().front());
     command.options.defines.push_back(std::move(define).value());
   }
+  if (command.name == Command::Name::kBuild && command.options.target != "header" &&
+      (!command.options.name.empty() || typed.embeds))
+    return refuse({.message = "--embed and --name are for the target header: add --target header"});
   const auto stage = std::ranges::find(compiler::stages(), typed.stage, &compiler::StageName::name);
   if (stage != compiler::stages().end()) command.options.stage = stage->stage;
   if (typed.error_format == "msvc") command.error_format = ErrorFormat::kMsvc;
   return {.command = std::move(command), .text = {}};
+}
+
+void add_name(CLI::App& command, Typed& typed, const char* help) {
+  command.add_option("--name", typed.command.options.name, help)
+      ->check(CLI::Validator(
+          [](const std::string& name) { return compiler::parse_define(name) ? "" : "is no identifier"; }, ""))
+      ->type_name("NAME");
 }
 
 void add_files(CLI::App& command, Typed& typed, const char* help) {
@@ -127,7 +136,9 @@ void add_build(CLI::App& command, Typed& typed) {
           "For the target header: a target whose output the header holds; glsl450 where none is given")
       ->check(CLI::IsMember(embeddable_names()))
       ->type_name("T")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->each([&typed](const std::string&) { typed.embeds = true; });
+  add_name(command, typed, "For the target header: the namespace in it, instead of the name of FILE");
   add_dependency_options(command, typed);
   add_compile_options(command, typed);
 }
@@ -141,6 +152,7 @@ void add_cpp(CLI::App& command, Typed& typed) {
   add_files(command, typed, "Modules; every one of the library but for hosts where none is given");
   command.get_option("FILE")->required(false);
   add_output(command, typed);
+  add_name(command, typed, "Of the class in namespace gnomon, instead of Modules");
   add_source_options(command, typed);
 }
 

@@ -26,6 +26,7 @@ int report(const Result<Done>& done, const Command& command) {
 }
 
 int build(const Command& command) {
+  if (const auto shared = shared_output(command)) return report({*shared}, command.error_format);
   const auto shader = compiler::build(command.files.front(), command.options);
   const int failed = shader ? 0 : report(shader.diagnostics(), command.error_format);
   if (failed == static_cast<int>(Failure::kInvalid)) return failed;

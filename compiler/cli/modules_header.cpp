@@ -28,10 +28,11 @@ Result<Done> write_cpp(const Command& command) {
   const Result<std::vector<std::string>> files =
       command.files.empty() ? library_files(command.options.library_directory) : command.files;
   if (!files) return files.diagnostics();
-  const Result<std::string> header = compiler::cpp_header(*files, command.options);
+  const Result<compiler::CppHeader> header = compiler::cpp_header(*files, command.options);
   if (!header) return header.diagnostics();
-  if (command.output.empty()) return print(*header);
-  return write_file_atomically(command.output, std::as_bytes(std::span(*header)));
+  if (command.output.empty()) return print(header->text);
+  if (auto replaced = replaced_source(header->files, {command.output})) return *std::move(replaced);
+  return write_file_atomically(command.output, std::as_bytes(std::span(header->text)));
 }
 
 }  // namespace gnomon::cli

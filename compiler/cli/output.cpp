@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/output.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -28,15 +29,26 @@ std::optional<Diagnostic> replaced_source(const std::vector<std::string>& source
   return std::nullopt;
 }
 
+std::optional<Diagnostic> shared_output(const Command& command) {
+  std::vector<std::filesystem::path> known;
+  for (const std::string& output : {command.output, command.reflection, command.depfile}) {
+    std::error_code ignored;
+    const std::filesystem::path path =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(output), ignored);
+    if (output.empty()) continue;
+    if (std::ranges::find(known, path) != known.end())
+      return Diagnostic{.file = output,
+                        .message = "is asked for twice, by two of -o, --reflect and -MF: name two files"};
+    known.push_back(path);
+  }
+  return std::nullopt;
+}
+
 namespace {
 
 std::optional<Diagnostic> wrong_files(const compiler::Compiled& shader, const Command& command) {
   if (auto replaced = replaced_source(shader.source.files, {command.output, command.reflection}))
     return replaced;
-  if (!command.reflection.empty() &&
-      (command.reflection == command.output || command.reflection == command.depfile))
-    return Diagnostic{.file = command.reflection,
-                      .message = "is the file of --reflect and of another output: name two files"};
   if (command.output.empty() && shader.format == compiler::Format::kSpirv)
     return Diagnostic{.message = "SPIR-V is binary: name a file for it with -o"};
   return std::nullopt;

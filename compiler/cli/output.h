@@ -17,6 +17,9 @@ namespace gnomon::cli {
 /// Writes to standard output. Fails (kMachine) where not all of it arrives.
 [[nodiscard]] Result<Done> print(const std::string& text);
 
+/// What is wrong with a command that wants two outputs in one file; nothing else.
+[[nodiscard]] std::optional<Diagnostic> shared_output(const Command& command);
+
 /// Writes the output of a shader to the command's output, or to standard output where it has none, and its
 /// reflection where the command asks for it. Fails (kMachine) where that is not possible, (kInvalid) where a
 /// file is one of the shader's own sources, and for SPIR-V without a file; what was written before then

@@ -303,6 +303,10 @@ Result<Assembled> assemble_all(const std::vector<std::string>& paths, const Opti
   const Target* target = find_target(options.target);
   if (target == nullptr) return unknown_target(options.target);
   std::string includes;
+  for (const std::string& path : paths) {
+    if (path.find_first_of("\"\n") != path.npos)
+      return Diagnostic{.file = path, .message = "has a quote or a line break in its name: rename it"};
+  }
   for (const std::string& path : paths) includes += "#include \"" + path + "\"\n";
   return Assembler(options).run({}, includes, *target);
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bindings.h"
 #include "dialect.h"
 #include "entry_point.h"
 #include "origin.h"
@@ -60,13 +61,22 @@ Diagnostic locate_message(const Assembled& assembled, const Message& message) {
   return diagnostic;
 }
 
+// The first line of code in which `word` stands, 1 where none does.
+int line_of_word(std::string_view text, std::string_view word) {
+  const std::string code = blank_comments(text);
+  size_t at = code.find(word);
+  const auto ends_here = [&](size_t place) {
+    return place >= code.size() || !is_word_character(code[place]);
+  };
+  while (at != code.npos && !(ends_here(at + word.size()) && (at == 0 || ends_here(at - 1))))
+    at = code.find(word, at + 1);
+  if (at == code.npos) return 1;
+  return 1 + static_cast<int>(std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+}
+
 // "layout(local_size_x = 8)": the line that makes a text one of this stage.
 int line_of_stage(const Assembled& assembled, Stage stage) {
-  const std::string code = blank_comments(assembled.text);
-  const std::string_view word = stage == Stage::kCompute ? "local_size" : "max_vertices";
-  const size_t at = std::min(code.find(word), code.size());
-  if (at == code.size()) return 1;
-  return 1 + static_cast<int>(std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  return line_of_word(assembled.text, stage == Stage::kCompute ? "local_size_x" : "max_vertices");
 }
 
 Refusal refuse_stage(const Assembled& assembled, Stage stage, const Target& target) {
@@ -82,6 +92,19 @@ Refusal refuse_text(const Assembled& assembled, const Message& error) {
   const auto added = std::count(assembled.origins.begin(), end, LineOrigin{0, 0});
   return {locate_message(assembled, error), Refusal::Of::kText,
           static_cast<int>(last) - static_cast<int>(added)};
+}
+
+// Two resources at one place, where the source told them apart by sets or left their numbers open.
+std::optional<Refusal> refuse_shared_binding(const Assembled& source, const Reflection& reflection,
+                                             const Target& target, bool dropped_sets) {
+  const bool is_vulkan = target.rules == Rules::kVulkan && target.format == Format::kSpirv;
+  const bool is_plain_gl =
+      target.rules == Rules::kOpenGl && !dropped_sets;  // there sharing is the author's wish
+  if (is_vulkan || is_plain_gl) return std::nullopt;
+  const auto shared = find_shared_binding(reflection, target);
+  if (!shared) return std::nullopt;
+  return Refusal{locate(source, line_of_word(source.text, shared->name), shared->message),
+                 Refusal::Of::kOutput};
 }
 
 // Text, SPIR-V or translation.
@@ -124,7 +147,7 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
     result.refusal = refuse_stage(source, request.stage, target);
     return result;
   }
-  adapt(source, request.stage, target);
+  const bool dropped_sets = adapt(source, request.stage, target);
   Shader shader = compile(source.text, request.stage, target);
   if (!shader.error && !shader.has_main) {
     if (!request.module) {
@@ -144,8 +167,10 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
   }
   add_warnings(shader, source);
   if (auto unbounded = judge_loops(shader, options, source)) return *std::move(unbounded);
-  result.compiled.reflection = complete_reflection(shader, source, options.library_directory);
-  result.refusal = make_output(shader, target, result.compiled);
+  result.compiled.reflection =
+      complete_reflection(shader, source, request.stage, target, options.library_directory);
+  result.refusal = refuse_shared_binding(source, shader.interface, target, dropped_sets);
+  if (!result.refusal) result.refusal = make_output(shader, target, result.compiled);
   return result;
 }
 

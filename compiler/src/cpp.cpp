@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "assemble.h"
 #include "origin.h"
+#include "shader.h"
 #include "text.h"
 
 namespace gnomon::compiler {
@@ -67,6 +70,42 @@ std::string_view function_name(std::string_view head) {
   return head.substr(begin);
 }
 
+// The type in "highp vec2 name[3]": what tells overloads apart, up to blanks.
+std::string parameter_type(std::string_view parameter) {
+  std::string type;
+  std::string last;
+  while (!(parameter = trim(parameter)).empty()) {
+    std::string_view rest = parameter;
+    const std::string_view word = take_word(rest);
+    const bool is_qualifier = word == "const" || word == "highp" || word == "mediump" || word == "lowp";
+    if (!is_qualifier) {
+      type += last;
+      last = word.empty() ? parameter.substr(0, 1) : word;
+    }
+    parameter.remove_prefix(word.empty() ? 1 : word.size());
+  }
+  // The last word is the name, where there is one.
+  return type.empty() ? last : type;
+}
+
+// "name(vec2,int)" of "float name(vec2 x, int y)".
+std::string signature_of(std::string_view head) {
+  std::string signature(function_name(head));
+  const size_t open = head.find('(');
+  if (signature.empty() || open == head.npos) return signature;
+  int depth = 0;
+  size_t begin = open + 1;
+  for (size_t i = open; i < head.size(); ++i) {
+    if (head[i] == '(') ++depth;
+    if (head[i] == ')') --depth;
+    if ((head[i] != ',' || depth > 1) && depth > 0) continue;
+    signature += "," + parameter_type(head.substr(begin, i - begin));
+    begin = i + 1;
+    if (depth == 0) break;
+  }
+  return signature;
+}
+
 // What makes a member of a declaration: texts to insert and places to blank.
 class Members {
  public:
@@ -75,7 +114,7 @@ class Members {
   void rewrite() {
     const std::vector<Declaration> declarations = find_declarations(code_);
     for (const Declaration& declaration : declarations) {
-      if (declaration.brace != code_.npos) defined_.insert(function_name(head_of(declaration)));
+      if (declaration.brace != code_.npos) defined_.insert(signature_of(head_of(declaration)));
     }
     for (const Declaration& declaration : declarations) rewrite(declaration);
     // From the end, so that the places before stay.
@@ -91,12 +130,13 @@ class Members {
 
   void rewrite(const Declaration& declaration) {
     const std::string_view head = head_of(declaration);
-    const std::string_view name = function_name(head);
-    if (name.empty()) {
-      if (trim(head).starts_with("const ")) insertions_.emplace_back(declaration.begin, "static inline ");
+    if (function_name(head).empty()) {
+      std::string_view words = trim(head);
+      if (take_word(words) == "const") insertions_.emplace_back(declaration.begin, "static inline ");
     } else if (declaration.brace != code_.npos) {
       insertions_.emplace_back(declaration.brace, "const ");
-    } else if (defined_.contains(name)) {  // a class takes no second declaration of a member
+    } else if (!defined_.insert(signature_of(head))
+                    .second) {  // a class takes no second declaration of a member
       for (size_t i = declaration.begin; i < declaration.end; ++i) {
         if (text_[i] != '\n') text_[i] = ' ';
       }
@@ -108,9 +148,15 @@ class Members {
 
   std::string& text_;
   const std::string code_;
-  std::set<std::string_view> defined_;
+  std::set<std::string> defined_;  // or declared, by signature
   std::vector<std::pair<size_t, std::string>> insertions_;
 };
+
+std::string literal_path(const std::string& path) {
+  std::string literal;
+  for (const char c : path) literal += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  return literal;
+}
 
 // A #line wherever the next line is not the one that follows the last in the same file.
 std::string with_origins(const Assembled& assembled, const std::string& library) {
@@ -119,22 +165,66 @@ std::string with_origins(const Assembled& assembled, const std::string& library)
   std::string_view rest = assembled.text;
   for (const LineOrigin& origin : assembled.origins) {
     const size_t length = std::min(rest.find('\n'), rest.size());
-    if (origin.line > 0 && !rest.starts_with("#version")) {
-      if (origin.inclusion != last.inclusion || origin.line != last.line + 1) {
-        text += fmt::format("#line {} \"{}\"\n", origin.line,
-                            portable_name(file_of(assembled, origin.inclusion), assembled, library));
-      }
-      text.append(rest.substr(0, length)).append("\n");
-      last = origin;
-    }
+    const std::string_view line = rest.substr(0, length);
     rest.remove_prefix(std::min(length + 1, rest.size()));
+    if (line.starts_with("#version")) continue;
+    if (origin.line > 0 && (origin.inclusion != last.inclusion || origin.line != last.line + 1)) {
+      text +=
+          fmt::format("#line {} \"{}\"\n", origin.line,
+                      literal_path(portable_name(file_of(assembled, origin.inclusion), assembled, library)));
+    }
+    text.append(line).append("\n");
+    last = origin;
   }
   return text;
 }
 
-constexpr std::string_view kBegin = R"(// Made by gnomonc from shader modules: change those instead.
-#ifndef GNOMON_MODULES_H
-#define GNOMON_MODULES_H
+// Words of GLSL's declarations that C++ has not, and what to write.
+struct Foreign {
+  std::string_view word;
+  std::string_view advice;
+};
+constexpr std::array kForeign = {
+    Foreign{"inout", "pass the value in and return the result"},
+    Foreign{"out", "write GNOMON_OUT(type), of <gnomon/core/portable.glsl>"},
+    Foreign{"in", "leave it out: parameters are values"},
+    Foreign{"precision", "leave it out: gnomonc gives the defaults"},
+    Foreign{"uniform", "make it a parameter, or read it in a host function"},
+    Foreign{"buffer", "make it a parameter, or read it in a host function"},
+};
+
+// The first declaration that cannot be a member.
+std::optional<Diagnostic> find_foreign(const Assembled& assembled) {
+  const std::string code = declarations_only(assembled.text);
+  const auto fail = [&](size_t at, std::string message) {
+    const auto end = code.begin() + static_cast<std::ptrdiff_t>(at);
+    return locate(assembled, 1 + static_cast<int>(std::count(code.begin(), end, '\n')), std::move(message));
+  };
+  for (const Declaration& declaration : find_declarations(code)) {
+    const size_t end = declaration.brace == code.npos ? declaration.end : declaration.brace;
+    const std::string_view head = std::string_view(code).substr(declaration.begin, end - declaration.begin);
+    for (size_t at = 0; at < head.size();) {
+      std::string_view rest = head.substr(at);
+      const std::string_view word = take_word(rest);
+      const auto foreign = std::ranges::find(kForeign, word, &Foreign::word);
+      if (foreign != kForeign.end())
+        return fail(declaration.begin + at, fmt::format("'{}' is not C++: {}", word, foreign->advice));
+      at += std::max<size_t>(word.size(), 1);
+    }
+    std::string_view words = head;
+    const std::string_view first = take_word(words);
+    if (declaration.brace == code.npos && !first.empty() && first != "const" &&
+        function_name(head.substr(0, head.size() - 1)).empty())
+      return fail(declaration.begin,
+                  "a variable outside of functions is not C++ here: make it const, or a parameter");
+  }
+  return std::nullopt;
+}
+
+// {0}: the name of the class, {1}: its members.
+constexpr std::string_view kFrame = R"(// Made by gnomonc from shader modules: change those instead.
+#ifndef GNOMON_CPP_{0}_H
+#define GNOMON_CPP_{0}_H
 
 #include <glm/glm.hpp>
 
@@ -143,24 +233,22 @@ constexpr std::string_view kBegin = R"(// Made by gnomonc from shader modules: c
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #endif
 
-namespace gnomon {
-namespace modules {
+namespace gnomon {{
+namespace modules_{0} {{
 
 using namespace glm;
 
-struct Modules {
-  virtual ~Modules() = default;
+struct {0} {{
+  virtual ~{0}() = default;
 
-)";
+{1}
+}};
 
-constexpr std::string_view kEnd = R"(
-};
+}}  // namespace modules_{0}
 
-}  // namespace modules
+using modules_{0}::{0};
 
-using modules::Modules;
-
-}  // namespace gnomon
+}}  // namespace gnomon
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop
@@ -179,15 +267,26 @@ Result<Done> check_modules(const std::vector<std::string>& paths, const Options&
   return Done{};
 }
 
+// All of them in one text: two may define the same function.
+std::optional<Diagnostic> check_together(const Assembled& assembled, const Options& options) {
+  const Shader shader = compile(assembled.text, Stage::kFragment, *find_target(options.target));
+  if (!shader.error) return std::nullopt;
+  return locate(assembled, shader.error->line, shader.error->text);
+}
+
 }  // namespace
 
-Result<std::string> cpp_header(const std::vector<std::string>& paths, const Options& options) {
+Result<CppHeader> cpp_header(const std::vector<std::string>& paths, const Options& options) {
   if (const auto checked = check_modules(paths, options); !checked) return checked.diagnostics();
   Result<Assembled> assembled = assemble_all(paths, options);
   if (!assembled) return assembled.diagnostics();
+  if (auto clash = check_together(*assembled, options)) return *std::move(clash);
+  if (auto foreign = find_foreign(*assembled)) return *std::move(foreign);
   std::string text = with_origins(*assembled, options.library_directory);
   Members(text).rewrite();
-  return std::string(kBegin) + text + std::string(kEnd);
+  const std::string name = options.name.empty() ? "Modules" : options.name;
+  return CppHeader{fmt::format(fmt::runtime(kFrame), name, text),
+                   {assembled->files.begin() + 1, assembled->files.end()}};
 }
 
 }  // namespace gnomon::compiler

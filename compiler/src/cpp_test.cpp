@@ -16,7 +16,7 @@ class Cpp : public testing::Test {
   int run(const std::vector<std::string>& paths, const std::string& program) const {
     const auto header = cpp_header(paths, options);
     if (!header) return -2;
-    tree.file("modules.h", *header);
+    tree.file("modules.h", header->text);
     return run_program(tree, "#include \"modules.h\"\n" + program);
   }
 
@@ -49,9 +49,10 @@ TEST_F(Cpp, LinesLeadToTheModules) {
   const std::string m = tree.file("m.glsl", "#include <gnomon/core/x.glsl>\nfloat m() { return x(); }\n");
   const auto header = cpp_header({m}, options);
   ASSERT_TRUE(header);
-  EXPECT_NE(header->find("#line 1 \"gnomon/core/x.glsl\"\n#ifndef X\n"), std::string::npos) << *header;
-  EXPECT_NE(header->find("#line 2 \"" + m + "\"\nfloat m() const { return x(); }\n"), std::string::npos)
-      << *header;
+  EXPECT_NE(header->text.find("#line 1 \"gnomon/core/x.glsl\"\n#ifndef X\n"), std::string::npos)
+      << header->text;
+  EXPECT_NE(header->text.find("#line 2 \"m.glsl\"\nfloat m() const { return x(); }\n"), std::string::npos)
+      << header->text;
 }
 
 TEST_F(Cpp, ModulesAreCheckedFirst) {
@@ -61,6 +62,43 @@ TEST_F(Cpp, ModulesAreCheckedFirst) {
             "a.frag: error: has a main(): it is a shader, not a module");
   EXPECT_EQ(error_of({tree.path("none.glsl")}),
             "none.glsl: error: cannot read the file: check the path and its permissions");
+}
+
+TEST_F(Cpp, OverloadsAreToldApartAndDefinesHold) {
+  options.defines = {{"N", "8"}};
+  EXPECT_EQ(
+      run({tree.file(
+              "a.glsl",
+              "#ifndef N\n#define N 2\n#endif\nfloat host(ivec2 at, int q);\nfloat host(ivec2 i, int j);\n"
+              "float host(ivec2 at) { return host(at, N); }\nfloat sq(int i);\n"
+              "float sq(float x) { return sq(int(x)); }\nfloat sq(int i) { return float(i * i); }\n")},
+          "struct Host : gnomon::Modules {\n"
+          "  using Modules::host;\n  float host(glm::ivec2 at, int q) const override { return float(at.x + "
+          "q); }\n};\n"
+          "int main() { return Host().host({1, 2}) == 9 && Host().sq(3.0f) == 9 ? 0 : 1; }\n"),
+      0);
+}
+
+TEST_F(Cpp, WhatIsNotCppIsRefusedAtItsLine) {
+  EXPECT_EQ(error_of({tree.file("a.glsl", "float f(\n  inout float x) { return x; }\n")}),
+            "a.glsl:2: error: 'inout' is not C++: pass the value in and return the result");
+  EXPECT_EQ(
+      error_of({tree.file("a.glsl", "\nfloat state;\nfloat f() { return state; }\n")}),
+      "a.glsl:2: error: a variable outside of functions is not C++ here: make it const, or a parameter");
+  const std::string a = tree.file("a.glsl", "float f() { return 1.0; }\n");
+  const std::string b = tree.file("b.glsl", "float f() { return 2.0; }\n");
+  EXPECT_TRUE(error_of({a, b}).starts_with("b.glsl:1: error: 'f'")) << error_of({a, b});
+}
+
+TEST_F(Cpp, TwoHeadersMeetUnderNamesOfTheirOwn) {
+  const std::string a = tree.file("a.glsl", "#ifndef A\n#define A\nfloat f() { return 1.0; }\n#endif\n");
+  options.name = "Mine";
+  tree.file("mine.h", cpp_header({a}, options)->text);
+  options.name.clear();
+  EXPECT_EQ(run({tree.file("b.glsl", "float f() { return 2.0; }\n")},
+                "#include \"mine.h\"\n#include \"mine.h\"\n"
+                "int main() { return gnomon::Mine().f() == 1 && gnomon::Modules().f() == 2 ? 0 : 1; }\n"),
+            0);
 }
 
 TEST_F(Cpp, TheLibraryWithAHostOfTwoLines) {

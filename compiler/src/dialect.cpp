@@ -6,28 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "precisions.h"
 #include "text.h"
 
 namespace gnomon::compiler {
 namespace {
-
-// In ESSL these have no precision by default, or one that is too low for positions on a map.
-constexpr std::string_view kPrecisions =
-    "precision highp float; precision highp int; precision highp sampler2D; precision highp sampler3D; "
-    "precision highp samplerCube; precision highp sampler2DArray; precision highp sampler2DShadow; "
-    "precision highp samplerCubeShadow; precision highp sampler2DArrayShadow; precision highp isampler2D; "
-    "precision highp isampler3D; precision highp isamplerCube; precision highp isampler2DArray; "
-    "precision highp usampler2D; precision highp usampler3D; precision highp usamplerCube; "
-    "precision highp usampler2DArray;";
-constexpr std::string_view kImagePrecisions =
-    " precision highp image2D; precision highp iimage2D; precision highp uimage2D; precision highp image3D; "
-    "precision highp iimage3D; precision highp uimage3D; precision highp image2DArray; "
-    "precision highp iimage2DArray; precision highp uimage2DArray;";
-
-// Desktop GLSL ignores precisions, but for SPIR-V glslang reads them and warns where they are missing.
-bool has_precisions(const Target& target) {
-  return target.version_line.ends_with(" es") || target.rules != Rules::kOpenGl;
-}
 
 // What a declaration with a layout qualifier declares.
 enum class Storage { kUnknown, kIn, kOut, kUniform, kBuffer };
@@ -40,10 +23,12 @@ Storage storage_of(std::string_view word) {
   return Storage::kUnknown;
 }
 
-// The storage qualifier among the words of a declaration, which ends at ; or {.
-Storage find_storage(std::string_view declaration) {
+// The storage qualifier among the words of a declaration, which ends at ; or { and in a directive with its
+// line.
+Storage find_storage(std::string_view declaration, bool in_directive) {
   while (!declaration.empty()) {
-    if (declaration.front() == ';' || declaration.front() == '{') break;
+    const char c = declaration.front();
+    if (c == ';' || c == '{' || (in_directive && c == '\n')) break;
     const std::string_view word = declaration.substr(
         0,
         static_cast<size_t>(std::ranges::find_if_not(declaration, is_word_character) - declaration.begin()));
@@ -59,12 +44,19 @@ std::string_view declaration_before(std::string_view code) {
   return end == code.npos ? code : code.substr(end + 1);
 }
 
+// Whether the text ends within the line of a directive.
+bool is_directive(std::string_view code) {
+  return trim(code.substr(std::min(code.rfind('\n'), code.size() - 1) + 1)).starts_with('#');
+}
+
 class LayoutFilter {
  public:
   LayoutFilter(Stage stage, const Target& target) : stage_(stage), target_(target) {}
 
+  [[nodiscard]] bool dropped_sets() const { return dropped_sets_; }
+
   // `text` and the same without comments. What is dropped becomes blank, so that columns stay.
-  void filter(std::string& text, const std::string& code) const {
+  void filter(std::string& text, const std::string& code) {
     constexpr std::string_view keyword = "layout";
     for (size_t at = code.find(keyword); at != code.npos; at = code.find(keyword, at + 1)) {
       const size_t open = code.find_first_not_of(" \t\n", at + keyword.size());
@@ -72,9 +64,10 @@ class LayoutFilter {
       if (!is_word || open == code.npos || code[open] != '(') continue;
       const size_t close = closing(code, open);
       if (close == code.npos) return;
-      Storage storage = find_storage(std::string_view(code).substr(close + 1));
+      const bool in_directive = is_directive(std::string_view(code).substr(0, at));
+      Storage storage = find_storage(std::string_view(code).substr(close + 1), in_directive);
       if (storage == Storage::kUnknown)
-        storage = find_storage(declaration_before(std::string_view(code).substr(0, at)));
+        storage = find_storage(declaration_before(std::string_view(code).substr(0, at)), false);
       filter_list(text, code, {at, open, close}, storage);
     }
   }
@@ -113,8 +106,12 @@ class LayoutFilter {
   }
 
   // Blanks the entries that are dropped, and each comma that no longer stands between two entries.
-  void filter_list(std::string& text, const std::string& code, Qualifier qualifier, Storage storage) const {
+  void filter_list(std::string& text, const std::string& code, Qualifier qualifier, Storage storage) {
     const std::vector<Entry> entries = split(code, qualifier, storage);
+    for (const Entry& entry : entries) {
+      if (is_other_set(std::string_view(code).substr(entry.begin, entry.end - entry.begin)) && !entry.kept)
+        dropped_sets_ = true;
+    }
     const auto last_kept = std::ranges::find(entries.rbegin(), entries.rend(), true, &Entry::kept);
     if (last_kept == entries.rend()) return blank(text, qualifier.begin, qualifier.close + 1);
     for (const Entry& entry : entries) {
@@ -140,6 +137,12 @@ class LayoutFilter {
     return entries;
   }
 
+  // "set = 1"
+  static bool is_other_set(std::string_view entry) {
+    entry = trim(entry);
+    return take_word(entry) == "set" && trim(entry.substr(std::min<size_t>(entry.size(), 1))) != "0";
+  }
+
   static void blank(std::string& text, size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (text[i] != '\n') text[i] = ' ';
@@ -148,55 +151,16 @@ class LayoutFilter {
 
   Stage stage_;
   const Target& target_;
+  bool dropped_sets_ = false;
 };
-
-// Where the precisions may stand: #extension has to come before, no conditional that may not hold around it.
-// Index of the line before which they go.
-size_t line_of_precisions(const Assembled& assembled, const std::string& code) {
-  size_t place = 1 + static_cast<size_t>(std::ranges::count(assembled.origins, 0, &LineOrigin::line));
-  bool wanted = false;  // an #extension was seen, and no place after it yet
-  int depth = 0;
-  std::string_view rest = code;
-  for (size_t line = 0; !rest.empty(); ++line) {
-    const size_t length = std::min(rest.find('\n'), rest.size());
-    std::string_view words = trim(rest.substr(0, length));
-    rest.remove_prefix(std::min(length + 1, rest.size()));
-    const bool is_code = !words.empty() && !words.starts_with('#');
-    std::string_view name;
-    if (words.starts_with('#')) {
-      words = trim(words.substr(1));
-      name = take_word(words);
-    }
-    // An #extension behind this is a mistake, and has to be told as one.
-    if (!wanted && is_code) break;
-    if (wanted && name != "extension" && (depth == 0 || is_code)) {
-      place = line;
-      wanted = false;
-    }
-    if (name.starts_with("if")) ++depth;
-    if (name == "endif") --depth;
-    if (name == "extension") wanted = true;
-  }
-  return place;
-}
-
-size_t begin_of_line(std::string_view text, size_t line) {
-  size_t at = 0;
-  for (; line > 0 && at < text.size(); --line) at = std::min(text.find('\n', at), text.size() - 1) + 1;
-  return at;
-}
 
 }  // namespace
 
-void adapt(Assembled& assembled, Stage stage, const Target& target) {
-  const std::string code = blank_comments(assembled.text);
-  LayoutFilter(stage, target).filter(assembled.text, code);
-  if (!has_precisions(target)) return;
-  const size_t line = line_of_precisions(assembled, code);
-  std::string statements(kPrecisions);
-  if (target.version_line == "#version 310 es") statements += kImagePrecisions;
-  assembled.text.insert(begin_of_line(assembled.text, line), statements + "\n");
-  assembled.origins.insert(assembled.origins.begin() + static_cast<std::ptrdiff_t>(line), LineOrigin{0, 0});
+bool adapt(Assembled& assembled, Stage stage, const Target& target) {
+  LayoutFilter filter(stage, target);
+  filter.filter(assembled.text, blank_comments(assembled.text));
+  if (target.has_precisions) add_precisions(assembled, target);
+  return filter.dropped_sets();
 }
 
 }  // namespace gnomon::compiler

@@ -7,7 +7,7 @@
 namespace gnomon::compiler {
 
 /// Takes out of layout qualifiers what the target lacks and gives ESSL its default precisions; see build().
-/// No line moves but for one that is added, with its origin.
-void adapt(Assembled& assembled, Stage stage, const Target& target);
+/// Whether a descriptor set other than the first was taken out: numbers may clash then.
+[[nodiscard]] bool adapt(Assembled& assembled, Stage stage, const Target& target);
 
 }  // namespace gnomon::compiler

@@ -78,7 +78,32 @@ TEST_F(Dialect, EsslHasHighPrecisionAfterExtensionsAndOutsideOfConditionals) {
   ASSERT_TRUE(built) << to_string(built.diagnostics().front());
   const std::string& text = built->output;
   EXPECT_LT(text.find("#endif"), text.find("precision highp float;"));
-  EXPECT_LT(text.find("precision highp sampler2DArray;"), text.find("#ifdef NEVER"));
+  EXPECT_LT(text.rfind("precision highp sampler2DArray;"), text.find("uniform sampler2DArray a;"));
+  EXPECT_GT(text.rfind("precision highp sampler2DArray;"), text.find("float never;"));
+}
+
+TEST_F(Dialect, ExtensionsOfOtherDialectsDoNoHarm) {
+  options.target = "essl300";
+  for (const char* source :
+       {"#ifndef GL_ES\n#extension GL_ARB_x : enable\nvec4 desktop() { return vec4(1); }\n#endif\n",
+        "#if defined(GL_ES) && defined(GL_EXT_x)\n#extension GL_EXT_x : enable\nfloat f(float a) { return a; "
+        "}\n"
+        "#else\nfloat f(float a) { return a; }\n#endif\n",
+        "float f(float a) { return a; }\n#extension GL_EXT_x : enable\n"}) {
+    const auto built = build(
+        tree.file("a.frag", std::string(source) + "out vec4 o;\nvoid main() { o = vec4(1); }\n"), options);
+    EXPECT_TRUE(built) << to_string(built.diagnostics().front());
+  }
+}
+
+TEST_F(Dialect, AMacrosLayoutStaysWithoutAStorageOfItsOwn) {
+  options.target = "glsl330";
+  const auto built = build(tree.file("a.vert",
+                                     "#define LOC(n) layout(location = n)\nout vec3 v;\nLOC(1) in vec3 a;\n"
+                                     "void main() { v = a; gl_Position = vec4(a, 1); }\n"),
+                           options);
+  ASSERT_TRUE(built) << to_string(built.diagnostics().front());
+  EXPECT_EQ(built->reflection.inputs.at(0).location, 1);
 }
 
 TEST_F(Dialect, AnErrorBehindThePrecisionsIsAtItsOwnLine) {

@@ -175,6 +175,30 @@ void sort_by_location(std::vector<Variable>& variables) {
 
 }  // namespace
 
+std::optional<Message> find_unnumbered(const glslang::TIntermediate& code, Stage stage) {
+  std::optional<Message> first;
+  for (const auto& [name, symbol] : Uses(code).symbols) {
+    const TType& type = symbol->getType();
+    const TQualifier& qualifier = type.getQualifier();
+    const bool passes = (qualifier.isPipeInput() && stage != Stage::kVertex) ||
+                        (qualifier.isPipeOutput() && stage != Stage::kFragment);
+    const bool is_block = type.getBasicType() == glslang::EbtBlock;
+    const bool is_builtin = qualifier.builtIn != glslang::EbvNone || name.starts_with("gl_") ||
+                            (is_block && type.getTypeName().compare(0, 3, "gl_") == 0);
+    const auto has_location = [](const glslang::TTypeLoc& m) { return m.type->getQualifier().hasLocation(); };
+    const bool has_own = is_block && std::ranges::any_of(*type.getStruct(), has_location);
+    if (!passes || is_builtin || qualifier.hasLocation() || has_own) continue;
+    const int line = symbol->getLoc().line;
+    if (!first || line < first->line) {
+      first =
+          Message{line, "'" + name +
+                            "': passes between stages without a location, by which SPIR-V matches the two "
+                            "sides: write layout(location = N) in both"};
+    }
+  }
+  return first;
+}
+
 std::string element_name(const TType& type) {
   return type.isArray() ? read_type(TType(type, 0)).name : read_type(type).name;
 }

@@ -23,26 +23,23 @@ Diagnostic failure_at(const Assembled& assembled, LineOrigin origin, std::string
   std::vector<std::string> chain;
   for (Inclusion at = assembled.inclusions[static_cast<size_t>(origin.inclusion)]; at.parent >= 0;
        at = assembled.inclusions[static_cast<size_t>(at.parent)]) {
-    chain.push_back("included from " + file_of(assembled, at.parent) + ":" + std::to_string(at.line));
+    const std::string& includer = file_of(assembled, at.parent);
+    // The text of assemble_all() has no name and is nobody's.
+    if (!includer.empty())
+      diagnostic.notes.push_back("included from " + includer + ":" + std::to_string(at.line));
   }
-  // Both ends of a long chain say enough.
-  constexpr size_t shown = 4;
-  if (chain.size() > 3 * shown) {
-    const auto end = chain.end() - shown;
-    const std::string left_out = "... " + std::to_string(chain.size() - 2 * shown) + " more ...";
-    chain.insert(chain.erase(chain.begin() + shown, end), left_out);
-  }
-  diagnostic.notes = std::move(chain);
   return diagnostic;
 }
 
-std::string portable_name(const std::string& file, const Assembled& source, const std::string& library) {
+std::string portable_name(const std::string& file, const Assembled& assembled, const std::string& library) {
   namespace fs = std::filesystem;
-  const fs::path in_library = fs::path(file).lexically_relative(fs::path(library).lexically_normal());
+  const auto whole = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
+  const fs::path in_library = whole(file).lexically_relative(whole(library));
   if (!library.empty() && !in_library.empty() && *in_library.begin() != "..")
     return ("gnomon" / in_library).generic_string();
-  const fs::path beside = fs::path(file).lexically_relative(fs::path(source.files.front()).parent_path());
-  return beside.empty() ? file : beside.generic_string();
+  // A text of several modules has no main file: each is called by its own name.
+  if (assembled.files.front().empty()) return fs::path(file).filename().generic_string();
+  return whole(file).lexically_relative(whole(assembled.files.front()).parent_path()).generic_string();
 }
 
 Diagnostic locate(const Assembled& assembled, int line, std::string message) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reflect.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <string_view>
@@ -32,7 +34,8 @@ std::vector<OptionValue> stated_options(std::string_view text) {
     std::string_view entry = trim(text.substr(0, text.find(';')));
     text.remove_prefix(std::min(text.find(';'), text.size() - 1) + 1);
     const std::string_view name = take_word(entry);
-    const size_t close = entry.find(')');
+    // "(default):", with parentheses in the default.
+    const size_t close = entry.find("):") == entry.npos ? entry.rfind(')') : entry.find("):");
     if (name.empty() || !entry.starts_with('(') || close == entry.npos) continue;
     const std::string stated(entry.substr(1, close - 1));
     options.push_back({std::string(name), stated, stated});
@@ -40,24 +43,26 @@ std::vector<OptionValue> stated_options(std::string_view text) {
   return options;
 }
 
-// What the first #define of a macro gives it: a -D, a line of the program, else the module's own.
-void take_definitions(std::string_view text, std::vector<OptionValue>& options) {
-  std::vector<std::string_view> seen;
-  while (!text.empty()) {
-    std::string_view line = trim(text.substr(0, text.find('\n')));
-    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
-    if (!line.starts_with('#')) continue;
-    line = trim(line.substr(1));
-    if (take_word(line) != "define") continue;
-    const std::string_view name = take_word(line);
-    const auto option = std::ranges::find(options, name, &OptionValue::name);
-    if (option == options.end() || std::ranges::find(seen, name) != seen.end()) continue;
-    option->value = trim(line);
-    seen.push_back(name);
+// What each macro stands for at the end of the text, asked of the preprocessor; one that is not defined keeps
+// the value that the module states.
+void take_values(const Assembled& source, Stage stage, const Target& target,
+                 std::vector<OptionValue>& options) {
+  constexpr std::string_view marker = "gnomon_option_value";
+  if (options.empty()) return;
+  std::string text = source.text;
+  for (const OptionValue& option : options) text += fmt::format("{} {}\n", marker, option.name);
+  const std::string preprocessed = preprocess(text, stage, target);
+  std::string_view rest = preprocessed;
+  for (OptionValue& option : options) {
+    const size_t at = rest.find(marker);
+    if (at == rest.npos) return;
+    rest.remove_prefix(at + marker.size());
+    const std::string_view value = trim(rest.substr(0, rest.find('\n')));
+    if (value != option.name) option.value = value;
   }
 }
 
-std::vector<OptionValue> options_of(const Assembled& source) {
+std::vector<OptionValue> options_of(const Assembled& source, Stage stage, const Target& target) {
   std::vector<OptionValue> options;
   for (const std::string& file : source.files) {
     const auto module = read_module(file);
@@ -67,16 +72,21 @@ std::vector<OptionValue> options_of(const Assembled& source) {
   std::ranges::sort(options, {}, &OptionValue::name);
   const auto repeated = std::ranges::unique(options, {}, &OptionValue::name);
   options.erase(repeated.begin(), repeated.end());
-  take_definitions(blank_comments(source.text), options);
+  take_values(source, stage, target, options);
   return options;
 }
 
 }  // namespace
 
-Reflection complete_reflection(const Shader& shader, const Assembled& source, const std::string& library) {
+Reflection complete_reflection(const Shader& shader, const Assembled& source, Stage stage,
+                               const Target& target, const std::string& library) {
   Reflection reflection = shader.interface;
+  if (target.format != Format::kSpirv) {  // HLSL and MSL have the bindings alone
+    for (Variable& texture : reflection.textures) texture.set.reset();
+    for (Block& block : reflection.blocks) block.set.reset();
+  }
   reflection.host_functions = host_functions(shader, source, library);
-  reflection.options = options_of(source);
+  reflection.options = options_of(source, stage, target);
   return reflection;
 }
 

@@ -51,7 +51,8 @@ class ReflectionSchema : public testing::Test {
 
 constexpr const char* kFragment =
     "#include <gnomon/host/r32f.glsl>\nstruct L { vec3 at; float power; };\n"
-    "layout(std140) uniform Lights { L lights[2]; float sizes[3]; };\nuniform vec3 a[4]; in vec2 v;\nout "
+    "layout(std140) uniform Lights { L lights[2]; float sizes[3]; };\nuniform vec3 a[4]; layout(location = "
+    "0) in vec2 v;\nout "
     "vec4 o;\n"
     "void main() { o = vec4(a[1] + lights[1].at * sizes[2], v.x + gnomon_host_height(ivec2(0), 0)); }\n";
 

@@ -31,7 +31,7 @@ constexpr const char* kFragment =
     "layout(std140) uniform Lights { Light lights[2]; mat4 to_world; float sizes[3]; };\n"
     "uniform vec3 b; uniform float a[4]; uniform float unused;\n"
     "uniform highp sampler2D heights; uniform highp sampler2DArray layers;\n"
-    "in vec2 texel; flat in int row;\n"
+    "layout(location = 0) in vec2 texel; layout(location = 1) flat in int row;\n"
     "layout(location = 1) out vec4 second; layout(location = 0) out vec4 first;\n"
     "void main() {\n"
     "  first = vec4(b * a[1] + lights[1].at * sizes[2], texel.x) + to_world[0];\n"

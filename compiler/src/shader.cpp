@@ -124,23 +124,28 @@ struct Unit {
 };
 
 // What glslang must not be given.
-std::optional<Message> find_unbearable(const std::string& text, Stage stage, Rules rules) {
+std::optional<Message> find_unbearable(const std::string& text, Stage stage, const Target& target) {
   if (auto excess = find_excess(text)) return excess;
-  if (rules != Rules::kVulkan) return std::nullopt;
-  Unit unit(text, stage, rules);
-  std::string preprocessed;
-  glslang::TShader::ForbidIncluder no_includes;
-  unit.shader.preprocess(GetDefaultResources(), kVersionWithoutDirective, ENoProfile, false, false,
-                         unit.messages, &preprocessed, no_includes);
-  return find_uniform_collision(preprocessed);
+  if (target.rules != Rules::kVulkan) return std::nullopt;
+  return find_uniform_collision(preprocess(text, stage, target));
 }
 
 }  // namespace
 
+std::string preprocess(const std::string& text, Stage stage, const Target& target) {
+  initialize_glslang();
+  Unit unit(text, stage, target.rules);
+  std::string preprocessed;
+  glslang::TShader::ForbidIncluder no_includes;
+  unit.shader.preprocess(GetDefaultResources(), kVersionWithoutDirective, ENoProfile, false, false,
+                         unit.messages, &preprocessed, no_includes);
+  return preprocessed;
+}
+
 Shader compile(const std::string& text, Stage stage, const Target& target) {
   initialize_glslang();
   Shader shader;
-  shader.error = find_unbearable(text, stage, target.rules);
+  shader.error = find_unbearable(text, stage, target);
   if (shader.error) return shader;
   Unit source(text, stage, target.rules);
   glslang::TShader& unit = source.shader;
@@ -157,6 +162,8 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);
   if (!shader.has_main) return shader;
+  if (target.rules != Rules::kOpenGl) shader.error = find_unnumbered(*unit.getIntermediate(), stage);
+  if (shader.error) return shader;
   glslang::TProgram program;
   program.addShader(&unit);
   const bool linked = program.link(messages) && (target.rules == Rules::kOpenGl || program.mapIO());

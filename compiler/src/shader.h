@@ -67,4 +67,7 @@ struct Shader {
 /// Parses and links `text` (which has its #version) with glslang, by the rules of the target.
 [[nodiscard]] Shader compile(const std::string& text, Stage stage, const Target& target);
 
+/// `text` with its macros expanded, by the rules of the target. Of a text that compiles.
+[[nodiscard]] std::string preprocess(const std::string& text, Stage stage, const Target& target);
+
 }  // namespace gnomon::compiler

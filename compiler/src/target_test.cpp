@@ -24,7 +24,7 @@ class Targets : public testing::Test {
 };
 
 constexpr const char* kLoose =
-    "uniform float a;\nuniform sampler2D b;\nin vec2 c;\nout vec4 o;\n"
+    "uniform float a;\nuniform sampler2D b;\nlayout(location = 0) in vec2 c;\nout vec4 o;\n"
     "void main() {\n  o = (a + 0.1) - a + texture(b, c);\n}\n";
 
 TEST_F(Targets, EachMakesItsOwnFormat) {
@@ -74,12 +74,47 @@ TEST_F(Targets, GatherIsRefusedWhereThereIsNone) {
 // ESSL objects before, so nothing is known of what it would say of the gather.
 TEST_F(Targets, OnlyTargetsThatWereSeenToTakeItAreNamed) {
   const std::string source =
-      "uniform sampler2D a;\nnoperspective in vec2 b;\nout vec4 o;\nvoid main() {\n  o = textureGather(a, "
+      "uniform sampler2D a;\nlayout(location = 0) noperspective in vec2 b;\nout vec4 o;\nvoid main() {\n  o "
+      "= textureGather(a, "
       "b);\n}\n";
   EXPECT_EQ(error("glsl330", "a.frag", source),
             "a.frag:5: error: 'textureGather(...)': not supported for this version or the enabled "
             "extensions; refused "
             "for the target glsl330, taken by glsl450, vulkan, opengl, hlsl50 and msl21");
+}
+
+TEST_F(Targets, VaryingsWithoutALocationAreRefusedWhereTheyAreNumbered) {
+  const std::string source = "in vec2 a;\nout vec4 o;\nvoid main() {\n  o = vec4(a, a);\n}\n";
+  EXPECT_EQ(error("opengl", "a.frag", source),
+            "a.frag:4: error: 'a': passes between stages without a location, by which SPIR-V matches the two "
+            "sides: "
+            "write layout(location = N) in both; refused for the target opengl, taken by glsl450, glsl330, "
+            "essl300 and "
+            "essl310");
+}
+
+TEST_F(Targets, ResourcesThatOnlySetsTellApartAreRefusedWhereThereAreNone) {
+  const std::string source =
+      "layout(set = 0, binding = 0) uniform sampler2D a;\nlayout(set = 1, binding = 0) uniform sampler2D b;\n"
+      "layout(location = 0) out vec4 o;\nvoid main() {\n  o = texture(a, vec2(0)) + texture(b, "
+      "vec2(0));\n}\n";
+  EXPECT_EQ(error("vulkan", "a.frag", source), "no error");
+  for (const char* target : {"hlsl50", "msl21", "opengl", "glsl450"}) {
+    EXPECT_TRUE(error(target, "a.frag", source)
+                    .starts_with("a.frag:2: error: 'b': its texture 0 is also that of 'a'"))
+        << error(target, "a.frag", source);
+  }
+}
+
+TEST_F(Targets, BindingsOfTheSourceAreThoseOfMsl) {
+  const std::string msl =
+      made("msl21", "a.frag",
+           "layout(binding = 5) uniform sampler2D a; layout(std140, binding = 7) uniform B { vec4 x; };\n"
+           "layout(location = 0) out vec4 o; void main() { o = texture(a, vec2(0)) + x; }\n")
+          ->output;
+  EXPECT_NE(msl.find("[[texture(5)]]"), std::string::npos) << msl;
+  EXPECT_NE(msl.find("[[sampler(5)]]"), std::string::npos) << msl;
+  EXPECT_NE(msl.find("[[buffer(7)]]"), std::string::npos) << msl;
 }
 
 TEST_F(Targets, GeometryShadersAreRefusedWhereThereAreNone) {

@@ -34,7 +34,9 @@ struct Target {
   Format format;              ///< what `build` yields
   Rules rules;                ///< what glslang validates the text for
   std::vector<Stage> stages;  ///< that the target has
-  bool binds_by_name;  ///< it lacks `binding`, and `location` but for vertex inputs and fragment outputs
+  bool binds_by_name;   ///< it lacks `binding`, and `location` but for vertex inputs and fragment outputs
+  bool has_precisions;  ///< types have one: in ESSL, and in SPIR-V, where glslang reads them
+  bool has_images;      ///< images and multisampled textures
 };
 [[nodiscard]] const std::vector<Target>& targets();
 

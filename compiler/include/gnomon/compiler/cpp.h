@@ -9,10 +9,15 @@
 
 namespace gnomon::compiler {
 
+struct CppHeader {
+  std::string text;
+  std::vector<std::string> files;  ///< that were read
+};
+
 /// A C++17 header with the functions of the modules at `paths` and of what they include, for GLM: the very
 /// code that the GPU runs, for tests, tools and debuggers. It defines
 ///
-///     namespace gnomon { struct Modules; }
+///     namespace gnomon { struct Modules; }      // or Options::name
 ///
 /// whose members are the modules' types and functions. A function that is only declared, such as
 /// gnomon_host_height, is pure virtual: derive from Modules and define it, so that every object has a height
@@ -22,6 +27,6 @@ namespace gnomon::compiler {
 /// Each module is checked first, see check(). Fails as that does, and (kInvalid) for a file with main().
 /// The modules have to keep to the part of GLSL that is C++ (docs/architecture.md): that is the C++
 /// compiler's to judge.
-[[nodiscard]] Result<std::string> cpp_header(const std::vector<std::string>& paths, const Options& options);
+[[nodiscard]] Result<CppHeader> cpp_header(const std::vector<std::string>& paths, const Options& options);
 
 }  // namespace gnomon::compiler
