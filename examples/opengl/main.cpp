@@ -27,8 +27,6 @@ namespace fullscreen = gnomon_shaders::fullscreen_vert::glsl330;
 namespace extrema = gnomon_shaders::extrema_frag::glsl330;
 namespace shadow = gnomon_shaders::shadow_frag::glsl330;
 
-namespace {
-
 constexpr int kLevels = 7;  // of block maxima: the coarsest block has 128 x 128 patches
 
 struct Options {
@@ -190,8 +188,6 @@ std::vector<float> draw_shadow(const Heights& heights, const Options& options) {
   return rgba;
 }
 
-}  // namespace
-
 int main(int argc, char** argv) try {
   const Options options = parse({argv + 1, argv + argc});
   const Heights heights = read_heights(options.heights);
@@ -199,7 +195,6 @@ int main(int argc, char** argv) try {
   make_texture(GL_TEXTURE0, GL_R32F, GL_RED, heights.width, heights.height, 1, heights.metres.data());
   build_extrema(heights);
   write_image(options.out, heights, draw_shadow(heights, options));
-  return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "terrain_shadow: %s\n", error.what());
   return 1;
