@@ -117,5 +117,12 @@ TEST_F(Example, SaysWhatItCannotRead) {
   EXPECT_FALSE(fs::exists(path("out.exr")));
 }
 
+TEST_F(Example, SaysWhatItCannotWrite) {
+  const Ran ran =
+      run(quote(EXAMPLE_PROGRAM) + " " + quote(write_map("cone")) + " " + quote(path("none/out.exr")));
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_NE(ran.output.find("No such file or directory"), std::string::npos) << ran.output;
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -79,21 +79,21 @@ void write_image(const std::string& path, const Heights& heights, const std::vec
   const float* first = &rgba[data ? 3 : 0];
   const auto file = OIIO::ImageOutput::create(path);
   require(file != nullptr, path + ": " + OIIO::geterror());
-  require(file->open(path, spec) && file->write_image(OIIO::TypeDesc::FLOAT, first, 4 * sizeof(float)) &&
-              file->close(),
-          path + ": " + file->geterror());
+  const bool written = file->open(path, spec) &&
+                       file->write_image(OIIO::TypeDesc::FLOAT, first, 4 * sizeof(float)) && file->close();
+  require(written, path + ": " + file->geterror());
 }
 
 // A context without a surface: everything is drawn into textures.
 void make_context() {
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  require(eglInitialize(display, nullptr, nullptr) == EGL_TRUE, "EGL cannot draw without a window here");
+  const bool ready = eglInitialize(display, nullptr, nullptr) && eglBindAPI(EGL_OPENGL_API);
+  require(ready, "EGL cannot draw with OpenGL and without a window here");
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
-  require(eglBindAPI(EGL_OPENGL_API) == EGL_TRUE, "EGL has no desktop OpenGL");
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-  const EGLBoolean current = eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-  require(context != EGL_NO_CONTEXT && current == EGL_TRUE, "no OpenGL 3.3 core context");
+  const bool current = context && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+  require(current, "the driver has no OpenGL 3.3 core profile");
   GLuint name = 0;
   glGenVertexArrays(1, &name);  // the core profile draws nothing without one
   glBindVertexArray(name);
