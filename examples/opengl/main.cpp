@@ -27,8 +27,6 @@ namespace fullscreen = gnomon_shaders::fullscreen_vert::glsl330;
 namespace extrema = gnomon_shaders::extrema_frag::glsl330;
 namespace shadow = gnomon_shaders::shadow_frag::glsl330;
 
-namespace {
-
 constexpr int kLevels = 7;  // of block maxima: the coarsest block has 128 x 128 patches
 
 struct Options {
@@ -81,21 +79,21 @@ void write_image(const std::string& path, const Heights& heights, const std::vec
   const float* first = &rgba[data ? 3 : 0];
   const auto file = OIIO::ImageOutput::create(path);
   require(file != nullptr, path + ": " + OIIO::geterror());
-  require(file->open(path, spec) && file->write_image(OIIO::TypeDesc::FLOAT, first, 4 * sizeof(float)) &&
-              file->close(),
-          path + ": " + file->geterror());
+  const bool written = file->open(path, spec) &&
+                       file->write_image(OIIO::TypeDesc::FLOAT, first, 4 * sizeof(float)) && file->close();
+  require(written, path + ": " + file->geterror());
 }
 
 // A context without a surface: everything is drawn into textures.
 void make_context() {
   const EGLDisplay display =
       eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  require(eglInitialize(display, nullptr, nullptr) == EGL_TRUE, "EGL cannot draw without a window here");
+  const bool ready = eglInitialize(display, nullptr, nullptr) && eglBindAPI(EGL_OPENGL_API);
+  require(ready, "EGL cannot draw with OpenGL and without a window here");
   const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3, EGL_NONE};
-  require(eglBindAPI(EGL_OPENGL_API) == EGL_TRUE, "EGL has no desktop OpenGL");
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-  const EGLBoolean current = eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
-  require(context != EGL_NO_CONTEXT && current == EGL_TRUE, "no OpenGL 3.3 core context");
+  const bool current = context && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context);
+  require(current, "the driver has no OpenGL 3.3 core profile");
   GLuint name = 0;
   glGenVertexArrays(1, &name);  // the core profile draws nothing without one
   glBindVertexArray(name);
@@ -190,8 +188,6 @@ std::vector<float> draw_shadow(const Heights& heights, const Options& options) {
   return rgba;
 }
 
-}  // namespace
-
 int main(int argc, char** argv) try {
   const Options options = parse({argv + 1, argv + argc});
   const Heights heights = read_heights(options.heights);
@@ -199,7 +195,6 @@ int main(int argc, char** argv) try {
   make_texture(GL_TEXTURE0, GL_R32F, GL_RED, heights.width, heights.height, 1, heights.metres.data());
   build_extrema(heights);
   write_image(options.out, heights, draw_shadow(heights, options));
-  return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "terrain_shadow: %s\n", error.what());
   return 1;
