@@ -29,12 +29,10 @@ endfunction()
 
 # One source for one target; `options` are those of gnomonc.
 function(gnomon_add_shader source target output options)
-  # Make does not run a command again because its options changed; a file with them does it for every generator.
-  file(GENERATE OUTPUT "${output}.options" CONTENT "${source} ${target} ${options}\n")
   add_custom_command(
     OUTPUT "${output}"
     COMMAND "$<TARGET_FILE:gnomon::gnomonc>" build "${source}" --target "${target}" ${options} -o "${output}" -MD
-    DEPENDS "${source}" "${output}.options" "$<TARGET_FILE:gnomon::gnomonc>"
+    DEPENDS "${source}" "$<TARGET_FILE:gnomon::gnomonc>"
     DEPFILE "${output}.d"
     COMMENT "Compiling shader ${output}"
     VERBATIM)
@@ -61,10 +59,10 @@ function(gnomon_add_shaders)
                         "gnomon's component `tools` too")
   endif()
 
-  cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIRECTORY BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}")
-  if(NOT DEFINED arg_OUTPUT_DIRECTORY OR arg_OUTPUT_DIRECTORY STREQUAL "")
-    set(arg_OUTPUT_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}/${arg_TARGET}_shaders")
+  if(NOT arg_OUTPUT_DIRECTORY)
+    set(arg_OUTPUT_DIRECTORY "${arg_TARGET}_shaders")
   endif()
+  cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIRECTORY BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" NORMALIZE)
   file(MAKE_DIRECTORY "${arg_OUTPUT_DIRECTORY}")
   set(options)
   foreach(define IN LISTS arg_DEFINES)
