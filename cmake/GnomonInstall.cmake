@@ -30,7 +30,7 @@ install(TARGETS gnomon_installed_modules EXPORT gnomon_shaders)
 # Made with everything else: an installation builds nothing.
 add_custom_target(gnomon_installed_header ALL)
 add_dependencies(gnomon_installed_header gnomon_modules_header)
-install(FILES "${PROJECT_BINARY_DIR}/shaderlib/include/gnomon/modules.h"
+install(FILES "${PROJECT_BINARY_DIR}/shaderlib/generated/gnomon/modules.h"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/gnomon" COMPONENT shaders)
 install(FILES "${CMAKE_CURRENT_LIST_DIR}/GnomonShaders.cmake" DESTINATION "${gnomon_package_directory}"
         COMPONENT shaders)
