@@ -27,14 +27,11 @@ target_include_directories(gnomon_installed_modules INTERFACE "$<INSTALL_INTERFA
                                                               "$<INSTALL_INTERFACE:share>")
 target_link_libraries(gnomon_installed_modules INTERFACE glm::glm)
 install(TARGETS gnomon_installed_modules EXPORT gnomon_shaders)
-if(TARGET gnomon_modules_header)
-  # cmake --install builds nothing.
-  set_target_properties(gnomon_modules_header PROPERTIES EXCLUDE_FROM_ALL FALSE)
-  add_custom_target(gnomon_modules_header_in_all ALL)
-  add_dependencies(gnomon_modules_header_in_all gnomon_modules_header)
-  install(FILES "${PROJECT_BINARY_DIR}/shaderlib/include/gnomon/modules.h"
-          DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/gnomon" COMPONENT shaders)
-endif()
+# Made with everything else: an installation builds nothing.
+add_custom_target(gnomon_installed_header ALL)
+add_dependencies(gnomon_installed_header gnomon_modules_header)
+install(FILES "${PROJECT_BINARY_DIR}/shaderlib/generated/gnomon/modules.h"
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/gnomon" COMPONENT shaders)
 install(FILES "${CMAKE_CURRENT_LIST_DIR}/GnomonShaders.cmake" DESTINATION "${gnomon_package_directory}"
         COMPONENT shaders)
 
