@@ -32,10 +32,10 @@ std::optional<Diagnostic> replaced_source(const std::vector<std::string>& source
 std::optional<Diagnostic> shared_output(const Command& command) {
   std::vector<std::filesystem::path> known;
   for (const std::string& output : {command.output, command.reflection, command.depfile}) {
+    if (output.empty()) continue;
     std::error_code ignored;
     const std::filesystem::path path =
-        std::filesystem::weakly_canonical(std::filesystem::absolute(output), ignored);
-    if (output.empty()) continue;
+        std::filesystem::weakly_canonical(std::filesystem::absolute(output, ignored), ignored);
     if (std::ranges::find(known, path) != known.end())
       return Diagnostic{.file = output,
                         .message = "is asked for twice, by two of -o, --reflect and -MF: name two files"};

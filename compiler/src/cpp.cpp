@@ -221,7 +221,7 @@ std::optional<Diagnostic> find_foreign(const Assembled& assembled) {
   return std::nullopt;
 }
 
-// {0}: the name of the class, {1}: its members.
+// {0}: the name of the class, {1}: its members, {2}: a namespace in which GLM needs no prefix.
 constexpr std::string_view kFrame = R"(// Made by gnomonc from shader modules: change those instead.
 #ifndef GNOMON_CPP_{0}_H
 #define GNOMON_CPP_{0}_H
@@ -234,7 +234,7 @@ constexpr std::string_view kFrame = R"(// Made by gnomonc from shader modules: c
 #endif
 
 namespace gnomon {{
-namespace modules_{0} {{
+namespace {2} {{
 
 using namespace glm;
 
@@ -244,9 +244,9 @@ struct {0} {{
 {1}
 }};
 
-}}  // namespace modules_{0}
+}}  // namespace {2}
 
-using modules_{0}::{0};
+using {2}::{0};
 
 }}  // namespace gnomon
 
@@ -285,7 +285,8 @@ Result<CppHeader> cpp_header(const std::vector<std::string>& paths, const Option
   std::string text = with_origins(*assembled, options.library_directory);
   Members(text).rewrite();
   const std::string name = options.name.empty() ? "Modules" : options.name;
-  return CppHeader{fmt::format(fmt::runtime(kFrame), name, text),
+  const std::string scope = options.name.empty() ? "modules" : options.name + "_modules";
+  return CppHeader{fmt::format(fmt::runtime(kFrame), name, text, scope),
                    {assembled->files.begin() + 1, assembled->files.end()}};
 }
 

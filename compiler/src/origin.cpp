@@ -33,13 +33,18 @@ Diagnostic failure_at(const Assembled& assembled, LineOrigin origin, std::string
 
 std::string portable_name(const std::string& file, const Assembled& assembled, const std::string& library) {
   namespace fs = std::filesystem;
-  const auto whole = [](const fs::path& path) { return fs::absolute(path).lexically_normal(); };
-  const fs::path in_library = whole(file).lexically_relative(whole(library));
-  if (!library.empty() && !in_library.empty() && *in_library.begin() != "..")
-    return ("gnomon" / in_library).generic_string();
+  const auto seen_from = [&](const fs::path& folder) {
+    std::error_code ignored;
+    return fs::absolute(file, ignored)
+        .lexically_normal()
+        .lexically_relative(fs::absolute(folder / ".", ignored).lexically_normal());
+  };
+  const fs::path in_library = library.empty() ? fs::path() : seen_from(library);
+  if (!in_library.empty() && *in_library.begin() != "..") return ("gnomon" / in_library).generic_string();
   // A text of several modules has no main file: each is called by its own name.
-  if (assembled.files.front().empty()) return fs::path(file).filename().generic_string();
-  return whole(file).lexically_relative(whole(assembled.files.front()).parent_path()).generic_string();
+  const std::string& main_file = assembled.files.front();
+  return main_file.empty() ? fs::path(file).filename().generic_string()
+                           : seen_from(fs::path(main_file).parent_path()).generic_string();
 }
 
 Diagnostic locate(const Assembled& assembled, int line, std::string message) {

@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "inspect.h"
-#include "limits.h"
+#include "excess.h"
 #include "log.h"
 #include "prototype.h"
 #include "uniforms.h"
