@@ -11,18 +11,17 @@
 # target `header` the folder is an include directory of <t>.
 cmake_minimum_required(VERSION 3.25)
 
-set(gnomon_suffixes
-    "glsl450:glsl450.glsl" "glsl330:glsl330.glsl" "essl300:essl300.glsl" "essl310:essl310.glsl" "vulkan:vulkan.spv"
-    "opengl:opengl.spv" "hlsl50:hlsl50.hlsl" "msl21:msl21.metal" "header:h")
-
 function(gnomon_suffix_of target result)
-  foreach(pair IN LISTS gnomon_suffixes)
+  set(suffixes
+      "glsl450:glsl450.glsl" "glsl330:glsl330.glsl" "essl300:essl300.glsl" "essl310:essl310.glsl" "vulkan:vulkan.spv"
+      "opengl:opengl.spv" "hlsl50:hlsl50.hlsl" "msl21:msl21.metal" "header:h")
+  foreach(pair IN LISTS suffixes)
     if(pair MATCHES "^${target}:(.*)$")
       set(${result} "${CMAKE_MATCH_1}" PARENT_SCOPE)
       return()
     endif()
   endforeach()
-  string(REGEX REPLACE ":[^;]*" "" known "${gnomon_suffixes}")
+  string(REGEX REPLACE ":[^;]*" "" known "${suffixes}")
   list(JOIN known ", " known)
   message(FATAL_ERROR "gnomon_add_shaders: unknown target \"${target}\": known are ${known}")
 endfunction()
