@@ -25,9 +25,16 @@ Diagnostic failure_at(const Assembled& assembled, LineOrigin origin, std::string
        at = assembled.inclusions[static_cast<size_t>(at.parent)]) {
     const std::string& includer = file_of(assembled, at.parent);
     // The text of assemble_all() has no name and is nobody's.
-    if (!includer.empty())
-      diagnostic.notes.push_back("included from " + includer + ":" + std::to_string(at.line));
+    if (!includer.empty()) chain.push_back("included from " + includer + ":" + std::to_string(at.line));
   }
+  // Both ends of a long chain say enough.
+  constexpr size_t shown = 4;
+  if (chain.size() > 3 * shown) {
+    const auto end = chain.end() - shown;
+    const std::string left_out = "... " + std::to_string(chain.size() - 2 * shown) + " more ...";
+    chain.insert(chain.erase(chain.begin() + shown, end), left_out);
+  }
+  diagnostic.notes = std::move(chain);
   return diagnostic;
 }
 

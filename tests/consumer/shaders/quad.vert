@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-in vec2 a_corner;
-out vec3 v_normal;
+layout(location = 0) in vec2 a_corner;
+layout(location = 0) out vec3 v_normal;
 
 void main() {
   v_normal = vec3(a_corner, 1.0);
