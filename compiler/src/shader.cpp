@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "inspect.h"
 #include "excess.h"
+#include "inspect.h"
 #include "log.h"
 #include "prototype.h"
 #include "uniforms.h"
