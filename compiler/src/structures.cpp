@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "limits.h"
+#include "excess.h"
 
 namespace gnomon::compiler {
 namespace {
