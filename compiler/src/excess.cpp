@@ -196,6 +196,7 @@ class Counter {
 std::optional<Message> find_excess(const std::string& text) {
   const std::string code = blank_comments(text);
   const std::vector<Token> tokens = tokenize(code);
+  if (auto large = find_large_structure(tokens)) return large;
   const std::vector<Section> sections = split(tokens);
   Macros macros;
   for (const Section& section : sections) {

@@ -4,8 +4,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "shader.h"
+#include "tokens.h"
 
 namespace gnomon::compiler {
 
@@ -13,5 +15,9 @@ namespace gnomon::compiler {
 /// twice, say), or where an expression has so many operators that its tree is too deep to be walked. Counted
 /// from above: conditionals count as if they all held, and of a macro's definitions the longest.
 [[nodiscard]] std::optional<Message> find_excess(const std::string& text);
+
+/// The first structure with too many members, those of its members counted, without those of array elements:
+/// where each of a chain holds the one before it twice, they double. Part of find_excess.
+[[nodiscard]] std::optional<Message> find_large_structure(const std::vector<Token>& tokens);
 
 }  // namespace gnomon::compiler

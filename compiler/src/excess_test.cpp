@@ -45,6 +45,16 @@ TEST(Limits, AMacroIsNotExpandedWithinItself) {
   EXPECT_EQ(line_of_excess("#define A A + A + B\n#define B A + A\nx = A;\n"), 0);
 }
 
+TEST(Limits, StructuresThatDoubleEachOther) {
+  std::string text = "struct S0 { float a, b; };\n";
+  for (int i = 1; i < 30; ++i) {
+    const std::string before = "S" + std::to_string(i - 1);
+    text += "struct S" + std::to_string(i) + " { " + before + " a; " + before + " b; };\n";
+  }
+  EXPECT_EQ(line_of_excess(text), 14);
+  EXPECT_EQ(line_of_excess("struct A { float a[1000000]; };\nstruct B { A a, b; A c[5000]; };\n"), 0);
+}
+
 TEST(Limits, LongExpressions) {
   EXPECT_EQ(line_of_excess("\nx = a" + repeated(" + a", 5000) + ";\n"), 2);
   EXPECT_EQ(line_of_excess("\nx = a" + repeated(".b", 5000) + ";\n"), 2);

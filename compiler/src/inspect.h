@@ -18,6 +18,9 @@ void find_functions(TIntermNode& root, Shader& shader);
 /// Lines of the loops that are not bounded in the sense of build(), in the order of the text.
 [[nodiscard]] std::vector<int> find_unbounded_loops(TIntermNode& root);
 
+/// The first uniform or buffer that has too many members to be listed, each array element counted.
+[[nodiscard]] std::optional<Message> find_oversized_uniform(TIntermNode& root);
+
 /// Takes a type apart.
 [[nodiscard]] Type read_type(const glslang::TType& type);
 

@@ -35,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr unsigned kSecondsPerMutant = 20;
-constexpr size_t kThroughProgram = 100;
+constexpr size_t kProgramStep = 100;  // every so many mutants one goes through gnomonc too
 
 struct Arguments {
   size_t mutants = 1000;
@@ -231,7 +231,6 @@ std::string try_program(const Mutant& mutant, const Corpus& corpus) {
 bool run(const Arguments& arguments) {
   const fs::path root = fs::temp_directory_path() / ("gnomon-mutants-" + std::to_string(::getpid()));
   Corpus corpus(root);
-  const size_t step = std::max<size_t>(arguments.mutants / kThroughProgram, 1);
   size_t failures = 0;
   for (size_t i = 0; i < arguments.mutants; ++i) {
     if (arguments.only && i != *arguments.only) continue;
@@ -241,7 +240,7 @@ bool run(const Arguments& arguments) {
     const Mutant mutant = make_mutant(mutator, corpus);
     alarm(kSecondsPerMutant);
     std::string defect = try_library(mutant, corpus);
-    if (defect.empty() && i % step == 0) defect = try_program(mutant, corpus);
+    if (defect.empty() && i % kProgramStep == 0) defect = try_program(mutant, corpus);
     alarm(0);
     if (!defect.empty()) std::fprintf(stderr, "%s\n  %s", defect.c_str(), running.data());
     failures += defect.empty() ? 0 : 1;

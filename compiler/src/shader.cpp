@@ -159,6 +159,8 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   }
 
   TIntermNode& root = *unit.getIntermediate()->getTreeRoot();
+  shader.error = find_oversized_uniform(root);
+  if (shader.error) return shader;
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);
   if (!shader.has_main) return shader;

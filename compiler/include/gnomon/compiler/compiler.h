@@ -112,7 +112,8 @@ struct Assembled {
 /// and not again.
 /// * Lines joined by a backslash become one line; #line and the #extension of include directives are dropped.
 /// Fails (kInvalid) where `path` itself cannot be read or the target is unknown, (kFailed) for a missing
-/// include, a cycle, an unterminated conditional or comment, bytes that are not UTF-8 text.
+/// include, a cycle, an unterminated conditional or comment, bytes that are not UTF-8 text, a #version that
+/// GLSL does not have or that does not come first.
 [[nodiscard]] Result<Assembled> assemble(const std::string& path, const Options& options);
 
 /// The files that assemble() reads, the main one first, each once, in its failure too: what the result
