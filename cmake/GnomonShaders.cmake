@@ -3,12 +3,13 @@
 #
 #   gnomon_add_shaders(TARGET <t> SOURCES <file>... TARGETS <target>...
 #                      [DEFINES <NAME[=VALUE]>...] [INCLUDE_DIRECTORIES <dir>...] [EMBED <target>...]
-#                      [OUTPUT_DIRECTORY <dir>])
+#                      [OUTPUT_DIRECTORY <dir>] [NAME <name>])
 #
 # Compiles every source for every target with gnomonc while <t> is built, again whenever the source, a file that it
 # includes, an option or gnomonc changes. The outputs are <dir>/<file name>.<suffix>, by default in
 # ${CMAKE_CURRENT_BINARY_DIR}/<t>_shaders; the property GNOMON_SHADERS of <t> lists them with their paths. With the
-# target `header` the folder is an include directory of <t>.
+# target `header` the folder is an include directory of <t>, and NAME, for a single source, the name of its namespace:
+# two shaders whose files are called alike need it.
 cmake_minimum_required(VERSION 3.25)
 
 function(gnomon_suffix_of target result)
@@ -40,7 +41,7 @@ endfunction()
 
 function(gnomon_add_shaders)
   set(lists SOURCES TARGETS DEFINES INCLUDE_DIRECTORIES EMBED)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIRECTORY" "${lists}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIRECTORY;NAME" "${lists}")
   foreach(name TARGET SOURCES TARGETS)
     if(NOT arg_${name})
       message(FATAL_ERROR "gnomon_add_shaders: ${name} is missing")
@@ -48,7 +49,7 @@ function(gnomon_add_shaders)
   endforeach()
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gnomon_add_shaders: what is \"${arg_UNPARSED_ARGUMENTS}\"? Expected TARGET, SOURCES, "
-                        "TARGETS, DEFINES, INCLUDE_DIRECTORIES, EMBED or OUTPUT_DIRECTORY before it")
+                        "TARGETS, DEFINES, INCLUDE_DIRECTORIES, EMBED, OUTPUT_DIRECTORY or NAME before it")
   endif()
   if(NOT TARGET "${arg_TARGET}")
     message(FATAL_ERROR "gnomon_add_shaders: there is no target \"${arg_TARGET}\": add it before its shaders")
@@ -56,6 +57,11 @@ function(gnomon_add_shaders)
   if(NOT TARGET gnomon::gnomonc)
     message(FATAL_ERROR "gnomon_add_shaders: the program gnomonc is not installed beside this CMake package: install "
                         "gnomon's component `tools` too")
+  endif()
+
+  list(LENGTH arg_SOURCES number_of_sources)
+  if(arg_NAME AND number_of_sources GREATER 1)
+    message(FATAL_ERROR "gnomon_add_shaders: NAME is for one source: call gnomon_add_shaders for each of them")
   endif()
 
   if(NOT arg_OUTPUT_DIRECTORY)
@@ -85,13 +91,16 @@ function(gnomon_add_shaders)
       set(output "${arg_OUTPUT_DIRECTORY}/${name}.${suffix}")
       if(output IN_LIST outputs OR output IN_LIST known)
         message(FATAL_ERROR "gnomon_add_shaders: two sources would be written to \"${output}\": rename one, or call "
-                            "gnomon_add_shaders again for it with another OUTPUT_DIRECTORY")
+                            "gnomon_add_shaders again for it with another OUTPUT_DIRECTORY and, for headers, a NAME")
       endif()
       set(own_options ${options})
       if(target STREQUAL "header")
         foreach(embedded IN LISTS arg_EMBED)
           list(APPEND own_options --embed "${embedded}")
         endforeach()
+        if(arg_NAME)
+          list(APPEND own_options --name "${arg_NAME}")
+        endif()
       endif()
       gnomon_add_shader("${source}" "${target}" "${output}" "${own_options}")
       list(APPEND outputs "${output}")

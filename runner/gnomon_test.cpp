@@ -1,26 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The program as a user meets it: exit codes, messages, goldens that bite, nothing half-written.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "image/image.h"
 #include "shell.h"
+#include "testing/run_command.h"
 
 namespace gnomon {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ran {
-  int code = -1;
-  std::string output;  ///< standard output and standard error
-};
+using testing::Ran;
 
 /// An empty folder with a project of its own, and the program run inside it.
 class Gnomon : public ::testing::Test {
@@ -45,16 +40,7 @@ class Gnomon : public ::testing::Test {
   }
 
   [[nodiscard]] Ran run(const std::string& arguments) const {
-    const std::string command =
-        "cd " + quote(root_.string()) + " && " + quote(program_) + " " + arguments + " 2>&1 </dev/null";
-    Ran ran;
-    FILE* pipe = popen(command.c_str(), "r");
-    std::array<char, 4096> bytes{};
-    while (const std::size_t count = fread(bytes.data(), 1, bytes.size(), pipe))
-      ran.output.append(bytes.data(), count);
-    const int status = pclose(pipe);
-    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-    return ran;
+    return testing::run_command("cd " + quote(root_.string()) + " && " + quote(program_) + " " + arguments);
   }
 
   /// A scene over a fractal of `size` samples a side.

@@ -2,38 +2,24 @@
 // examples/opengl, built against the installation, on three maps: not one pixel outside of the band may
 // differ from the oracle.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 
 #include "image/image.h"
 #include "shell.h"
 #include "terrain/procedural.h"
+#include "testing/run_command.h"
 
 namespace gnomon {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ran {
-  int code = -1;
-  std::string output;  ///< standard output and standard error
-};
-
-Ran run(const std::string& command) {
-  Ran ran;
-  FILE* pipe = popen((command + " 2>&1 </dev/null").c_str(), "r");
-  std::array<char, 4096> bytes{};
-  while (const std::size_t count = fread(bytes.data(), 1, bytes.size(), pipe))
-    ran.output.append(bytes.data(), count);
-  const int status = pclose(pipe);
-  ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status);
-  return ran;
-}
+using testing::Ran;
+using testing::run_command;
 
 class Example : public ::testing::Test {
  protected:
@@ -57,14 +43,14 @@ class Example : public ::testing::Test {
     for (const std::string& sun : suns) {
       SCOPED_TRACE(heights + ", sun " + sun);
       const std::string options = " --sun " + sun + " --spacing " + spacing;
-      const Ran drawn =
-          run(quote(EXAMPLE_PROGRAM) + " " + quote(heights) + " " + quote(path("actual.exr")) + options);
+      const Ran drawn = run_command(quote(EXAMPLE_PROGRAM) + " " + quote(heights) + " " +
+                                    quote(path("actual.exr")) + options);
       ASSERT_EQ(drawn.code, 0) << drawn.output;
-      const Ran known = run(quote(GNOMON_PROGRAM) + " render --method reference --heightmap " +
-                            quote(heights) + options + " -o " + quote(path("expected.exr")));
+      const Ran known = run_command(quote(GNOMON_PROGRAM) + " render --method reference --heightmap " +
+                                    quote(heights) + options + " -o " + quote(path("expected.exr")));
       ASSERT_EQ(known.code, 0) << known.output;
-      const Ran compared = run(quote(GNOMON_PROGRAM) + " diff " + quote(path("actual.exr")) + " " +
-                               quote(path("expected.exr")) + " --channel b_shadow");
+      const Ran compared = run_command(quote(GNOMON_PROGRAM) + " diff " + quote(path("actual.exr")) + " " +
+                                       quote(path("expected.exr")) + " --channel b_shadow");
       EXPECT_EQ(compared.code, 0);
       std::printf("%s, sun %s: %s", fs::path(heights).stem().c_str(), sun.c_str(), compared.output.c_str());
       expect_both_light_and_shadow();
@@ -100,7 +86,7 @@ TEST_F(Example, RealModelHasTheShadowOfTheOracle) {
 
 TEST_F(Example, WritesAPicture) {
   const Ran drawn =
-      run(quote(EXAMPLE_PROGRAM) + " " + quote(write_map("cone")) + " " + quote(path("cone.png")));
+      run_command(quote(EXAMPLE_PROGRAM) + " " + quote(write_map("cone")) + " " + quote(path("cone.png")));
   ASSERT_EQ(drawn.code, 0) << drawn.output;
   const Result<image::Image> picture = image::read_image(path("cone.png"));
   ASSERT_TRUE(picture.ok());
@@ -111,15 +97,15 @@ TEST_F(Example, WritesAPicture) {
 
 TEST_F(Example, SaysWhatItCannotRead) {
   const Ran ran =
-      run(quote(EXAMPLE_PROGRAM) + " " + quote(path("missing.exr")) + " " + quote(path("out.exr")));
+      run_command(quote(EXAMPLE_PROGRAM) + " " + quote(path("missing.exr")) + " " + quote(path("out.exr")));
   EXPECT_EQ(ran.code, 1);
   EXPECT_NE(ran.output.find("missing.exr"), std::string::npos) << ran.output;
   EXPECT_FALSE(fs::exists(path("out.exr")));
 }
 
 TEST_F(Example, SaysWhatItCannotWrite) {
-  const Ran ran =
-      run(quote(EXAMPLE_PROGRAM) + " " + quote(write_map("cone")) + " " + quote(path("none/out.exr")));
+  const Ran ran = run_command(quote(EXAMPLE_PROGRAM) + " " + quote(write_map("cone")) + " " +
+                              quote(path("none/out.exr")));
   EXPECT_EQ(ran.code, 1);
   EXPECT_NE(ran.output.find("No such file or directory"), std::string::npos) << ran.output;
 }

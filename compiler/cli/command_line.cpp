@@ -21,6 +21,10 @@ struct Typed {
   bool embeds = false;         // --embed
 };
 
+// An empty name is what a shell's unset variable gives.
+const CLI::Validator is_named([](const std::string& path) { return path.empty() ? "the name is empty" : ""; },
+                              "");
+
 std::vector<std::string> stage_names() {
   std::vector<std::string> names;
   for (const compiler::StageName& row : compiler::stages()) names.push_back(row.name);
@@ -77,7 +81,7 @@ void add_dependency_options(CLI::App& build, Typed& typed) {
       "--MD", typed.wants_depfile,
       "Also write the rule of OUT and the files it depends on, for Make and Ninja, to OUT.d; on an "
       "error in the shader too");
-  build.add_option("--MF", typed.command.depfile, "Like -MD, to FILE")->type_name("FILE");
+  build.add_option("--MF", typed.command.depfile, "Like -MD, to FILE")->check(is_named)->type_name("FILE");
 }
 
 std::optional<Diagnostic> name_depfile(Command& command, bool wanted) {
@@ -92,14 +96,33 @@ CommandLine refuse(const Diagnostic& diagnostic) {
       .command = {}, .text = to_string(diagnostic) + "\n", .exit_code = static_cast<int>(Failure::kInvalid)};
 }
 
+// Reads the texts of -D into the command.
+std::optional<Diagnostic> take_defines(const std::vector<std::string>& texts,
+                                       std::vector<compiler::Define>& defines) {
+  for (const std::string& text : texts) {
+    auto define = compiler::parse_define(text);
+    if (!define) return define.diagnostics().front();
+    const auto known = std::ranges::find(defines, define->name, &compiler::Define::name);
+    if (known != defines.end() && known->value != define->value)
+      return Diagnostic{.message =
+                            "-D " + define->name + ": is given twice, with different values: leave one out"};
+    defines.push_back(std::move(define).value());
+  }
+  return std::nullopt;
+}
+
+std::optional<Diagnostic> wrong_number_of_files(const Command& command) {
+  const bool takes_one = command.name == Command::Name::kBuild || command.name == Command::Name::kGraph;
+  if (!takes_one || command.files.size() == 1) return std::nullopt;
+  return Diagnostic{.message = "one FILE at a time, got " + std::to_string(command.files.size()) + ": " +
+                               command.files[0] + ", " + command.files[1]};
+}
+
 CommandLine finish(Typed typed) {
   Command& command = typed.command;
+  if (const auto wrong = wrong_number_of_files(command)) return refuse(*wrong);
   if (const auto wrong = name_depfile(command, typed.wants_depfile)) return refuse(*wrong);
-  for (const std::string& text : typed.defines) {
-    auto define = compiler::parse_define(text);
-    if (!define) return refuse(define.diagnostics().front());
-    command.options.defines.push_back(std::move(define).value());
-  }
+  if (const auto wrong = take_defines(typed.defines, command.options.defines)) return refuse(*wrong);
   if (command.name == Command::Name::kBuild && command.options.target != "header" &&
       (!command.options.name.empty() || typed.embeds))
     return refuse({.message = "--embed and --name are for the target header: add --target header"});
@@ -121,14 +144,16 @@ void add_files(CLI::App& command, Typed& typed, const char* help) {
 }
 
 void add_output(CLI::App& command, Typed& typed) {
-  command.add_option("-o", typed.command.output, "Write to OUT instead of standard output")->type_name("OUT");
+  command.add_option("-o", typed.command.output, "Write to OUT instead of standard output")
+      ->check(is_named)
+      ->type_name("OUT");
 }
 
 void add_build(CLI::App& command, Typed& typed) {
   add_files(command, typed, "The shader, with its main()");
-  command.get_option("FILE")->expected(1);
   add_output(command, typed);
   command.add_option("--reflect", typed.command.reflection, "Also write what the host has to bind, as JSON")
+      ->check(is_named)
       ->type_name("FILE");
   command
       .add_option(
@@ -158,7 +183,6 @@ void add_cpp(CLI::App& command, Typed& typed) {
 
 void add_graph(CLI::App& command, Typed& typed) {
   add_files(command, typed, "A shader or module");
-  command.get_option("FILE")->expected(1);
   command.add_flag("--dot", typed.command.dot, "As a Graphviz digraph instead of an indented list");
   add_compile_options(command, typed);
 }

@@ -28,11 +28,12 @@ int report(const Result<Done>& done, const Command& command) {
 int build(const Command& command) {
   if (const auto shared = shared_output(command)) return report({*shared}, command.error_format);
   const auto shader = compiler::build(command.files.front(), command.options);
-  const int failed = shader ? 0 : report(shader.diagnostics(), command.error_format);
-  if (failed == static_cast<int>(Failure::kInvalid)) return failed;
-  const Result<Done> noted = write_depfile(command);
-  if (!noted) return report(noted, command);
-  if (!shader) return failed;
+  if (!shader) {
+    const int failed = report(shader.diagnostics(), command.error_format);
+    if (failed != static_cast<int>(Failure::kFailed)) return failed;
+    // A build system tries again when one of these files changes.
+    return std::max(failed, report(write_depfile(command), command));
+  }
   report(shader->source.warnings, command.error_format);
   return report(write(*shader, command), command);
 }

@@ -8,8 +8,8 @@
 
 namespace gnomon::cli {
 
-/// Writes the depfile of `build`, where one was asked for: call it whether the shader compiles or not. Fails
-/// (kMachine) where it cannot be written, (kInvalid) where it would replace a source of the shader.
+/// Writes the depfile of a `build` whose shader does not compile, where one was asked for. Fails (kMachine)
+/// where it cannot be written, (kInvalid) where it would replace a source of the shader.
 [[nodiscard]] Result<Done> write_depfile(const Command& command);
 
 /// The include graph as text. Fails as compiler::assemble does.

@@ -109,6 +109,48 @@ TEST_F(Gnomonc, CppWritesTheLibraryOrGivenModules) {
   EXPECT_NE(tree.read("m.h").find("return x;"), std::string::npos);
 }
 
+TEST_F(Gnomonc, OutputsAreWrittenAllOrNone) {
+  tree.file("a.frag", "void main() {}\n");
+  tree.file("r.json", "older");
+  tree.file("o.d", "older");
+  EXPECT_EQ(run("build a.frag -o none/x --reflect r.json -MF o.d").code, 99);
+  EXPECT_EQ(run("build a.frag -o /dev/full --reflect r.json -MF o.d").code, 99);
+  EXPECT_EQ(tree.read("r.json") + tree.read("o.d"), "olderolder");
+}
+
+TEST_F(Gnomonc, DescriptorsAreWrittenToAndModesStay) {
+  tree.file("a.frag", "void main() {}\n");
+  const Outcome appended =
+      run("--version > version.txt; { echo before; '" GNOMONC "' build a.frag -o /dev/stdout; echo after; }");
+  EXPECT_EQ(appended.out, "before\n#version 450 core\nvoid main() {}\nafter\n");
+  tree.file("out.glsl", "older");
+  std::filesystem::permissions(tree.path("out.glsl"), std::filesystem::perms{0640});
+  EXPECT_EQ(run("build a.frag -o out.glsl").code, 0);
+  EXPECT_EQ(std::filesystem::status(tree.path("out.glsl")).permissions(), std::filesystem::perms{0640});
+  std::filesystem::create_symlink("later.glsl", tree.path("link.glsl"));
+  EXPECT_EQ(run("build a.frag -o link.glsl").code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(tree.path("link.glsl")));
+  EXPECT_EQ(tree.read("later.glsl"), "#version 450 core\nvoid main() {}\n");
+  std::filesystem::create_symlink("round.glsl", tree.path("round.glsl"));
+  EXPECT_EQ(run("build a.frag -o round.glsl").code, 99);
+}
+
+TEST_F(Gnomonc, WhatIsNoOrdinaryFileIsRefusedAtOnce) {
+  EXPECT_EQ(
+      run("--version > version.txt; mkfifo pipe; timeout 20 '" GNOMONC "' build pipe --stage frag").code, 2);
+  EXPECT_EQ(run("build /dev/zero --stage frag").code, 2);
+}
+
+TEST_F(Gnomonc, UsageThatIsNearlyRight) {
+  tree.file("a.frag", "void main() {}\n");
+  EXPECT_NE(run("build a.frag --tagret vulkan").err.find("--tagret"), std::string::npos);
+  EXPECT_EQ(run("build a.frag b.frag").err, "error: one FILE at a time, got 2: a.frag, b.frag\n");
+  for (const char* wrong :
+       {"-o ''", "--reflect ''", "-MF '' -o x", "-D X=1 -D X=2", "--name x", "--embed vulkan"})
+    EXPECT_EQ(run("build a.frag " + std::string(wrong)).code, 2) << wrong;
+  EXPECT_EQ(run("build a.frag -D X=1 -D X=1").code, 0);
+}
+
 TEST_F(Gnomonc, IncludeFolders) {
   tree.file("a.frag", "#include <x.glsl>\nvoid main() { x(); }\n");
   tree.file("one/x.glsl", "void x() {}\n");

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "gnomon/atomic_file.h"
+#include "gnomon/compiler/depfile.h"
 
 namespace gnomon::cli {
 
@@ -47,26 +48,30 @@ std::optional<Diagnostic> shared_output(const Command& command) {
 namespace {
 
 std::optional<Diagnostic> wrong_files(const compiler::Compiled& shader, const Command& command) {
-  if (auto replaced = replaced_source(shader.source.files, {command.output, command.reflection}))
+  if (auto replaced =
+          replaced_source(shader.source.files, {command.output, command.reflection, command.depfile}))
     return replaced;
   if (command.output.empty() && shader.format == compiler::Format::kSpirv)
     return Diagnostic{.message = "SPIR-V is binary: name a file for it with -o"};
   return std::nullopt;
 }
 
-Result<Done> write_text(const std::string& text, const std::string& path) {
-  return path.empty() ? print(text) : write_file_atomically(path, std::as_bytes(std::span(text)));
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
 }
 
 }  // namespace
 
 Result<Done> write(const compiler::Compiled& shader, const Command& command) {
   if (auto wrong = wrong_files(shader, command)) return *std::move(wrong);
-  if (!command.reflection.empty()) {
-    const Result<Done> written = write_text(compiler::to_json(shader.reflection), command.reflection);
-    if (!written) return written;
-  }
-  return write_text(shader.output, command.output);
+  const std::string json = compiler::to_json(shader.reflection);
+  const std::string rule = compiler::to_depfile(command.output, shader.source.files);
+  std::vector<FileContent> files;
+  if (!command.reflection.empty()) files.push_back({command.reflection, bytes_of(json)});
+  if (!command.depfile.empty()) files.push_back({command.depfile, bytes_of(rule)});
+  if (!command.output.empty()) files.push_back({command.output, bytes_of(shader.output)});
+  const Result<Done> written = write_files_atomically(files);
+  return written && command.output.empty() ? print(shader.output) : written;
 }
 
 }  // namespace gnomon::cli

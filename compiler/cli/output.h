@@ -20,10 +20,9 @@ namespace gnomon::cli {
 /// What is wrong with a command that wants two outputs in one file; nothing else.
 [[nodiscard]] std::optional<Diagnostic> shared_output(const Command& command);
 
-/// Writes the output of a shader to the command's output, or to standard output where it has none, and its
-/// reflection where the command asks for it. Fails (kMachine) where that is not possible, (kInvalid) where a
-/// file is one of the shader's own sources, and for SPIR-V without a file; what was written before then
-/// stays.
+/// Writes the output of a shader to the command's output, or to standard output where it has none, with its
+/// reflection and depfile where the command asks for them: all of these files or none. Fails (kMachine) where
+/// that is not possible, (kInvalid) where one is a source of the shader, and for SPIR-V without a file.
 [[nodiscard]] Result<Done> write(const compiler::Compiled& shader, const Command& command);
 
 }  // namespace gnomon::cli

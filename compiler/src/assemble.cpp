@@ -163,7 +163,9 @@ class Assembler {
   }
 
   bool inline_file(int inclusion, bool conditional) {
-    File& file = files_[static_cast<size_t>(result_.inclusions[static_cast<size_t>(inclusion)].file)];
+    const int index = result_.inclusions[static_cast<size_t>(inclusion)].file;
+    File& file = files_[static_cast<size_t>(index)];
+    if (file.source.once) open_once(index, {inclusion, 1});
     for (const SourceLine& line : file.source.lines) {
       const LineOrigin origin{inclusion, line.line};
       if (!is_dropped(line)) {
@@ -175,8 +177,16 @@ class Assembler {
       if (!line.dead && !replace(line, origin, conditional || line.conditional)) return false;
       if (line.ends_in_comment) emit("/*", origin);
     }
+    if (file.source.once) emit("#endif", {inclusion, file.source.lines.back().line});
     file.finished = file.source.guarded && !conditional;
     return true;
+  }
+
+  // #pragma once as an include guard, which every GLSL compiler knows.
+  void open_once(int file, LineOrigin origin) {
+    const std::string macro = "GNOMON_ONCE_" + std::to_string(file);
+    emit("#ifndef " + macro, origin);
+    emit("#define " + macro, origin);
   }
 
   bool replace(const SourceLine& line, LineOrigin origin, bool conditional) {

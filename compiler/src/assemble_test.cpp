@@ -212,6 +212,18 @@ TEST_F(Assemble, NestingAndNumberAreLimited) {
   EXPECT_NE(error_of(tree.path("0.glsl")).find("more than 10000 files are inlined"), std::string::npos);
 }
 
+TEST_F(Assemble, PragmaOnceIsAGuard) {
+  tree.file("m.glsl", "#pragma once\nfloat m() { return 1.0; }\n");
+  const auto built =
+      build(tree.file("a.frag",
+                      "#ifdef NEVER\n#include \"m.glsl\"\n#endif\n#include \"m.glsl\"\n#include \"m.glsl\"\n"
+                      "out vec4 o;\nvoid main() { o = vec4(m()); x; }\n"),
+            options);
+  ASSERT_FALSE(built);
+  EXPECT_EQ(tree.relative(to_string(built.diagnostics().front())),
+            "a.frag:7: error: 'x': undeclared identifier");
+}
+
 TEST_F(Assemble, UnreadableMainFileAndUnknownTargetAreInvalidInput) {
   for (const std::string& path : {tree.path("none.frag"), tree.path("")}) {
     const auto assembled = assemble(path, options);

@@ -61,19 +61,6 @@ Diagnostic locate_message(const Assembled& assembled, const Message& message) {
   return diagnostic;
 }
 
-// The first line of code in which `word` stands, 1 where none does.
-int line_of_word(std::string_view text, std::string_view word) {
-  const std::string code = blank_comments(text);
-  size_t at = code.find(word);
-  const auto ends_here = [&](size_t place) {
-    return place >= code.size() || !is_word_character(code[place]);
-  };
-  while (at != code.npos && !(ends_here(at + word.size()) && (at == 0 || ends_here(at - 1))))
-    at = code.find(word, at + 1);
-  if (at == code.npos) return 1;
-  return 1 + static_cast<int>(std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-}
-
 // "layout(local_size_x = 8)": the line that makes a text one of this stage.
 int line_of_stage(const Assembled& assembled, Stage stage) {
   return line_of_word(assembled.text, stage == Stage::kCompute ? "local_size_x" : "max_vertices");
@@ -97,14 +84,28 @@ Refusal refuse_text(const Assembled& assembled, const Message& error) {
 // Two resources at one place, where the source told them apart by sets or left their numbers open.
 std::optional<Refusal> refuse_shared_binding(const Assembled& source, const Reflection& reflection,
                                              const Target& target, bool dropped_sets) {
-  const bool is_vulkan = target.rules == Rules::kVulkan && target.format == Format::kSpirv;
   const bool is_plain_gl =
       target.rules == Rules::kOpenGl && !dropped_sets;  // there sharing is the author's wish
-  if (is_vulkan || is_plain_gl) return std::nullopt;
+  if (is_plain_gl) return std::nullopt;
   const auto shared = find_shared_binding(reflection, target);
   if (!shared) return std::nullopt;
   return Refusal{locate(source, line_of_word(source.text, shared->name), shared->message),
                  Refusal::Of::kOutput};
+}
+
+// SPIR-V has no form for a boolean that the host writes, and OpenGL's has no block to make an integer of it.
+std::optional<Refusal> refuse_booleans(const Assembled& source, const Reflection& reflection,
+                                       const Target& target) {
+  if (target.rules != Rules::kOpenGlSpirv) return std::nullopt;
+  for (const Variable& uniform : reflection.uniforms) {
+    if (uniform.type != "bool" && !uniform.type.starts_with("bvec")) continue;
+    const std::string name = uniform.name.substr(0, uniform.name.find_first_of(".["));
+    return Refusal{locate(source, line_of_word(source.text, name),
+                          "'" + uniform.name + "': a uniform of type " + uniform.type +
+                              " has no form in OpenGL's SPIR-V: make it an int or uint"),
+                   Refusal::Of::kOutput};
+  }
+  return std::nullopt;
 }
 
 // Text, SPIR-V or translation.
@@ -125,6 +126,14 @@ std::optional<Refusal> make_output(const Shader& shader, const Target& target, C
   Translation translation = translate(shader.spirv, target.format);
   if (!translation.failure.empty())
     return Refusal{locate(compiled.source, 1, translation.failure), Refusal::Of::kOutput};
+  if (target.format == Format::kHlsl) {
+    if (auto defect = defect_of_hlsl(translation.text, compiled.reflection.stage))
+      return Refusal{locate(compiled.source, 1,
+                            "the HLSL made of it is not valid, perhaps because of a name that is a word "
+                            "of HLSL: " +
+                                *defect),
+                     Refusal::Of::kOutput};
+  }
   compiled.output = std::move(translation.text);
   return std::nullopt;
 }
@@ -170,6 +179,7 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
   result.compiled.reflection =
       complete_reflection(shader, source, request.stage, target, options.library_directory);
   result.refusal = refuse_shared_binding(source, shader.interface, target, dropped_sets);
+  if (!result.refusal) result.refusal = refuse_booleans(source, shader.interface, target);
   if (!result.refusal) result.refusal = make_output(shader, target, result.compiled);
   return result;
 }

@@ -9,7 +9,10 @@
 
 namespace gnomon::compiler {
 
-/// Two resources for which a target without descriptor sets has one place only.
+/// Whether the target has Vulkan's descriptor sets.
+[[nodiscard]] bool has_descriptor_sets(const Target& target);
+
+/// Two resources for which a target has one place only.
 struct SharedBinding {
   std::string name;     ///< of the second of them
   std::string message;  ///< which place, whose it is, and what to do

@@ -77,7 +77,9 @@ void read_members(const TType& type, bool with_bytes, Block& block) {
   const auto packing = states ? qualifier.layoutPacking : glslang::ElpStd140;
   Layout layout(packing, with_bytes, block.members);
   const int size = layout.read(*type.getStruct(), "", 0, qualifier.layoutMatrix == glslang::ElmRowMajor);
-  if (with_bytes) block.size = size;
+  // A uniform block ends on a multiple of a vec4's size, as structures do in std140.
+  const int unit = packing == glslang::ElpStd140 ? 16 : 1;
+  if (with_bytes) block.size = (size + unit - 1) / unit * unit;
 }
 
 }  // namespace gnomon::compiler

@@ -2,6 +2,8 @@
 #include "header.h"
 
 #include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
@@ -15,20 +17,41 @@
 namespace gnomon::compiler {
 namespace {
 
-// Names that GLSL lets a variable have and that mean something else in C++ or in the header itself.
-constexpr std::array<std::string_view, 59> kTaken = {
-    "NULL",         "Member",     "Variable",      "alignas",     "alignof",
-    "all",          "and",        "and_eq",        "auto",        "bitand",
-    "bitor",        "catch",      "char",          "char16_t",    "char32_t",
-    "char8_t",      "co_await",   "co_return",     "co_yield",    "compl",
-    "concept",      "const_cast", "consteval",     "constexpr",   "constinit",
-    "decltype",     "delete",     "dynamic_cast",  "explicit",    "export",
-    "friend",       "linux",      "mutable",       "new",         "noexcept",
-    "not",          "not_eq",     "nullptr",       "operator",    "or",
-    "or_eq",        "private",    "protected",     "register",    "reinterpret_cast",
-    "requires",     "signed",     "static_assert", "static_cast", "std",
-    "thread_local", "throw",      "try",           "typeid",      "typename",
-    "unix",         "virtual",    "wchar_t",       "xor"};
+// Names that GLSL lets a variable have and that mean something else in C++, in the header itself, or as
+// macros of the systems' headers.
+constexpr auto kTaken = std::to_array<std::string_view>({"BUFSIZ",    "DOMAIN",        "EOF",
+                                                         "FALSE",     "FLT_MAX",       "FLT_MIN",
+                                                         "HUGE_VAL",  "HUGE_VALF",     "I",
+                                                         "INFINITY",  "INT32_MAX",     "INT_MAX",
+                                                         "INT_MIN",   "M_PI",          "Member",
+                                                         "NAN",       "NDEBUG",        "NULL",
+                                                         "OVERFLOW",  "RAND_MAX",      "TRUE",
+                                                         "UINT_MAX",  "UNDERFLOW",     "Variable",
+                                                         "alignas",   "alignof",       "all",
+                                                         "and",       "and_eq",        "assert",
+                                                         "auto",      "bitand",        "bitor",
+                                                         "catch",     "char",          "char16_t",
+                                                         "char32_t",  "char8_t",       "co_await",
+                                                         "co_return", "co_yield",      "compl",
+                                                         "complex",   "concept",       "const_cast",
+                                                         "consteval", "constexpr",     "constinit",
+                                                         "decltype",  "delete",        "dynamic_cast",
+                                                         "errno",     "explicit",      "export",
+                                                         "far",       "friend",        "interface",
+                                                         "linux",     "major",         "makedev",
+                                                         "max",       "min",           "minor",
+                                                         "mutable",   "near",          "new",
+                                                         "noexcept",  "not",           "not_eq",
+                                                         "nullptr",   "offsetof",      "operator",
+                                                         "or",        "or_eq",         "private",
+                                                         "protected", "register",      "reinterpret_cast",
+                                                         "requires",  "signbit",       "signed",
+                                                         "small",     "static_assert", "static_cast",
+                                                         "std",       "stderr",        "stdin",
+                                                         "stdout",    "thread_local",  "throw",
+                                                         "try",       "typeid",        "typename",
+                                                         "unix",      "virtual",       "wchar_t",
+                                                         "xor"});
 
 // A C++ identifier for a GLSL name ("light.position", "lights[1]"), other than those given before.
 class Names {
@@ -66,13 +89,12 @@ std::string text_constant(std::string_view text) {
   constexpr size_t kLongestLiteral = 65000;
   std::string code;
   if (text.size() > kLongestLiteral) {
-    code = fmt::format("inline constexpr char source_bytes[] = {{");
+    code = fmt::format("constexpr char source_bytes[] = {{");
     for (size_t i = 0; i < text.size(); ++i)
       code += fmt::format("{}'\\{:03o}',", i % 16 == 0 ? "\n    " : "", static_cast<unsigned char>(text[i]));
-    return code +
-           fmt::format("\n}};\ninline constexpr std::string_view source(source_bytes, {});\n", text.size());
+    return code + fmt::format("\n}};\nconstexpr std::string_view source(source_bytes, {});\n", text.size());
   }
-  code = "inline constexpr std::string_view source =\n    \"\"";
+  code = "constexpr std::string_view source =\n    \"\"";
   while (!text.empty()) {
     const size_t length = std::min(text.find('\n'), text.size() - 1) + 1;
     const bool ends = text[length - 1] == '\n';
@@ -86,7 +108,7 @@ std::string text_constant(std::string_view text) {
 
 std::string words_constant(std::string_view bytes) {
   const size_t count = bytes.size() / sizeof(std::uint32_t);
-  std::string code = fmt::format("inline constexpr std::array<std::uint32_t, {}> spirv = {{", count);
+  std::string code = fmt::format("constexpr std::array<std::uint32_t, {}> spirv = {{", count);
   for (size_t i = 0; i < count; ++i) {
     std::uint32_t word = 0;
     std::memcpy(&word, bytes.data() + i * sizeof word, sizeof word);
@@ -100,9 +122,9 @@ int or_none(const std::optional<int>& number) {
 }
 
 std::string of_variable(const std::string& identifier, const Variable& v) {
-  return fmt::format("inline constexpr Variable {}{{{}, {}, {}, {}, {}, {}}};\n", identifier,
-                     literal_of(v.name), literal_of(v.type), v.array_size, or_none(v.location),
-                     or_none(v.set), or_none(v.binding));
+  return fmt::format("constexpr Variable {}{{{}, {}, {}, {}, {}, {}}};\n", identifier, literal_of(v.name),
+                     literal_of(v.type), v.array_size, or_none(v.location), or_none(v.set),
+                     or_none(v.binding));
 }
 
 // A namespace with a constant for each variable and `all` of them.
@@ -115,23 +137,23 @@ std::string list_of_variables(std::string_view name, const std::vector<Variable>
     code += of_variable(identifier, variable);
     all += (all.empty() ? "" : ", ") + identifier;
   }
-  code += fmt::format("inline constexpr std::array<Variable, {}> all = {{{}}};\n", variables.size(), all);
+  code += fmt::format("constexpr std::array<Variable, {}> all = {{{}}};\n", variables.size(), all);
   return code + fmt::format("}}  // namespace {}\n", name);
 }
 
 std::string of_member(const std::string& identifier, const Member& m) {
-  return fmt::format("inline constexpr Member {}{{{}, {}, {}, {}, {}, {}, {}}};\n", identifier,
-                     literal_of(m.name), literal_of(m.type), or_none(m.offset), m.array_size,
-                     or_none(m.array_stride), or_none(m.matrix_stride), m.is_row_major);
+  return fmt::format("constexpr Member {}{{{}, {}, {}, {}, {}, {}, {}}};\n", identifier, literal_of(m.name),
+                     literal_of(m.type), or_none(m.offset), m.array_size, or_none(m.array_stride),
+                     or_none(m.matrix_stride), m.is_row_major);
 }
 
 std::string of_block(const std::string& identifier, const Block& block) {
   Names names;
   std::string code = fmt::format("namespace {} {{\n", identifier);
   const auto add_number = [&](const char* name, int number) {
-    code += fmt::format("inline constexpr int {} = {};\n", names(name), number);
+    code += fmt::format("constexpr int {} = {};\n", names(name), number);
   };
-  code += fmt::format("inline constexpr std::string_view {} = {};\n", names("name"), literal_of(block.name));
+  code += fmt::format("constexpr std::string_view {} = {};\n", names("name"), literal_of(block.name));
   add_number("array_size", block.array_size);
   add_number("size", or_none(block.size));
   add_number("set", or_none(block.set));
@@ -157,11 +179,11 @@ std::string of_target(const Compiled& compiled) {
     Names constants;
     code += "namespace constants {  // identifiers of specialization constants\n";
     for (const SpecializationConstant& constant : reflection.constants)
-      code += fmt::format("inline constexpr int {} = {};\n", constants(constant.name), constant.id);
+      code += fmt::format("constexpr int {} = {};\n", constants(constant.name), constant.id);
     code += "}  // namespace constants\n";
   }
   if (reflection.local_size.size() == 3) {
-    code += fmt::format("inline constexpr std::array<int, 3> local_size = {{{}, {}, {}}};\n",
+    code += fmt::format("constexpr std::array<int, 3> local_size = {{{}, {}, {}}};\n",
                         reflection.local_size[0], reflection.local_size[1], reflection.local_size[2]);
   }
   return code + fmt::format("}}  // namespace {}\n", reflection.target);
@@ -195,16 +217,32 @@ std::string header_text(const std::string& file, const std::string& wanted_name,
                         const std::vector<Compiled>& embedded) {
   Names names;
   const std::string name = names(wanted_name.empty() ? file : wanted_name);
-  const std::string guard = "GNOMON_SHADERS_" + name + "_H";
-  std::string code = fmt::format(
-      "// Made by gnomonc from {}: change that file instead.\n#ifndef {}\n#define {}\n\n#include <array>\n"
-      "#include <cstdint>\n#include <string_view>\n\nnamespace gnomon_shaders::{} {{\n",
-      file, guard, guard, name);
-  code += fmt::format("\ninline constexpr std::string_view stage = {};\n",
-                      literal_of(stage_name(embedded.front().reflection.stage).title));
-  code += kTypes;
-  for (const Compiled& compiled : embedded) code += of_target(compiled);
-  return code + fmt::format("\n}}  // namespace gnomon_shaders::{}\n\n#endif\n", name);
+  std::string body = fmt::format("constexpr std::string_view stage = {};\n",
+                                 literal_of(stage_name(embedded.front().reflection.stage).title));
+  body += kTypes;
+  for (const Compiled& compiled : embedded) body += of_target(compiled);
+  // {0} file, {1} guard, {2} what tells this header from another one of the same name, {3} name, {4} body
+  return fmt::format(R"(// Made by gnomonc from {0}: change that file instead.
+#if defined({1}) && {1} != {2}
+#error "two shaders are called {3}: give one of them another name with gnomonc build --name"
+#endif
+#ifndef {1}
+#define {1} {2}
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+// Of internal linkage: two shaders of one name in two files of a program are not taken for each other.
+namespace gnomon_shaders::{3} {{
+
+{4}
+}}  // namespace gnomon_shaders::{3}
+
+#endif
+)",
+                     file, "GNOMON_SHADERS_" + name + "_H",
+                     fmt::format("0x{:08x}", XXH32(body.data(), body.size(), 0)), name, body);
 }
 
 }  // namespace gnomon::compiler

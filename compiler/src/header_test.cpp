@@ -36,7 +36,7 @@ TEST_F(Header, HoldsTextWordsAndReflection) {
           "namespace s = gnomon_shaders::a_frag;\n"
           "static_assert(s::stage == \"fragment\");\n"
           "static_assert(s::vulkan::spirv[0] == 0x07230203u);\n"
-          "static_assert(s::vulkan::blocks::gnomon_uniforms::size == 8);\n"
+          "static_assert(s::vulkan::blocks::gnomon_uniforms::size == 16);\n"
           "static_assert(s::vulkan::blocks::gnomon_uniforms::mutable_.offset == 4);\n"
           "static_assert(s::glsl330::blocks::B::size == 32 && s::glsl330::blocks::B::size_.offset == 16);\n"
           "static_assert(s::glsl330::uniforms::all.size() == 2 && s::glsl330::uniforms::a.location == -1);\n"
@@ -55,6 +55,26 @@ TEST_F(Header, LongTextsAreWhole) {
           "const auto source = gnomon_shaders::long_frag::glsl450::source;\n"
           "return source.size() > 120000 && source.substr(source.size() - 11) == \"// the end\\n\" ? 0 : 3;"),
       0);
+}
+
+TEST_F(Header, TwoOfOneNameAreAnError) {
+  options.name = "terrain";
+  make("a.frag", "out vec4 o;\nvoid main() { o = vec4(1.0); }\n");
+  make("b.frag", "out vec4 o;\nvoid main() { o = vec4(2.0); }\n");
+  EXPECT_EQ(run("#include \"a.frag.h\"\n#include \"a.frag.h\"\n", "return 0;"), 0);
+  EXPECT_EQ(run("#include \"a.frag.h\"\n#include \"b.frag.h\"\n", "return 0;"), -1);
+}
+
+TEST_F(Header, NamesThatAreMacrosElsewhere) {
+  make("a.frag",
+       "uniform float near; uniform float far; uniform float EOF; uniform float errno; uniform float NULL;\n"
+       "uniform float assert; uniform float Variable;\nout vec4 o;\n"
+       "void main() { o = vec4(near + far + EOF + errno + NULL + assert + Variable); }\n");
+  EXPECT_EQ(run("#include <cassert>\n#include <cerrno>\n#include <cmath>\n#include <cstdio>\n#define "
+                "near\n#define far\n"
+                "#include \"a.frag.h\"\n",
+                "return gnomon_shaders::a_frag::glsl450::uniforms::near_.name == \"near\" ? 0 : 3;"),
+            0);
 }
 
 TEST_F(Header, EmbedsNoHeader) {

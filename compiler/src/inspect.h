@@ -27,9 +27,9 @@ void find_functions(TIntermNode& root, Shader& shader);
 /// The name of a type, of the elements of an array: "vec3" for vec3[4].
 [[nodiscard]] std::string element_name(const glslang::TType& type);
 
-/// The first use of what passes between stages without a location, in code that is to be SPIR-V: glslang
-/// would number it by its place in this stage alone, and the stage on the other side otherwise.
-[[nodiscard]] std::optional<Message> find_unnumbered(const glslang::TIntermediate& code, Stage stage);
+/// What passes between stages without a location, in code that is to be SPIR-V: glslang would number it by
+/// its place in this stage alone, and the stage on the other side otherwise.
+[[nodiscard]] std::vector<std::string> find_unnumbered(const glslang::TIntermediate& code, Stage stage);
 
 /// Active inputs, outputs, uniforms, textures and blocks, constants, and the size of a work group, of the
 /// linked code of a stage.

@@ -129,6 +129,7 @@ class InterfaceReader {
     const TQualifier& qualifier = type.getQualifier();
     Block block{.name = type.getTypeName().c_str(), .array_size = array_size_of(type)};
     if (qualifier.storage == glslang::EvqBuffer) block.kind = BlockKind::kStorage;
+    block.is_readonly = block.kind == BlockKind::kStorage && qualifier.isReadOnly();
     if (qualifier.isPushConstant()) {
       block.kind = BlockKind::kPushConstant;
     } else {
@@ -175,8 +176,8 @@ void sort_by_location(std::vector<Variable>& variables) {
 
 }  // namespace
 
-std::optional<Message> find_unnumbered(const glslang::TIntermediate& code, Stage stage) {
-  std::optional<Message> first;
+std::vector<std::string> find_unnumbered(const glslang::TIntermediate& code, Stage stage) {
+  std::vector<std::string> names;
   for (const auto& [name, symbol] : Uses(code).symbols) {
     const TType& type = symbol->getType();
     const TQualifier& qualifier = type.getQualifier();
@@ -188,15 +189,9 @@ std::optional<Message> find_unnumbered(const glslang::TIntermediate& code, Stage
     const auto has_location = [](const glslang::TTypeLoc& m) { return m.type->getQualifier().hasLocation(); };
     const bool has_own = is_block && std::ranges::any_of(*type.getStruct(), has_location);
     if (!passes || is_builtin || qualifier.hasLocation() || has_own) continue;
-    const int line = symbol->getLoc().line;
-    if (!first || line < first->line) {
-      first =
-          Message{line, "'" + name +
-                            "': passes between stages without a location, by which SPIR-V matches the two "
-                            "sides: write layout(location = N) in both"};
-    }
+    names.push_back(is_block ? type.getTypeName().c_str() : name);
   }
-  return first;
+  return names;
 }
 
 std::string element_name(const TType& type) {

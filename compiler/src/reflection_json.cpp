@@ -71,6 +71,7 @@ Json list_of(const std::vector<T>& items) {
 
 Json of(const Block& block) {
   Json json = {{"name", block.name}, {"kind", name_of(block.kind)}};
+  if (block.is_readonly) json["readonly"] = true;
   put_array(json, block.array_size);
   put(json, "size", block.size);
   put(json, "set", block.set);

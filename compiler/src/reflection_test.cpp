@@ -142,7 +142,16 @@ TEST_F(Reflected, TheDriverLaysOutOtherBlocksOfGlsl) {
   EXPECT_EQ(block.size, std::nullopt);
   EXPECT_EQ(block.members.at(1).offset, std::nullopt);
   EXPECT_EQ(block.members.at(0).array_size, 3);
-  EXPECT_EQ(reflect("opengl", "a.frag", source).blocks.at(0).size, 60);
+  EXPECT_EQ(reflect("opengl", "a.frag", source).blocks.at(0).size, 64);
+}
+
+// As GL_UNIFORM_BLOCK_DATA_SIZE tells it.
+TEST_F(Reflected, SizesAreWhatToAllocate) {
+  const std::string source =
+      "layout(std140) uniform B { mat4 m; float t; }; layout(location = 0) out vec4 o; void main() { o = "
+      "m[0] * t; }";
+  for (const char* target : {"glsl450", "vulkan"})
+    EXPECT_EQ(reflect(target, "a.frag", source).blocks.at(0).size, 80);
 }
 
 TEST_F(Reflected, OnlyWhatIsUsedIsListed) {

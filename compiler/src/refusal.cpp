@@ -11,22 +11,26 @@ bool has_stage(const Target& target, Stage stage) {
   return std::ranges::find(target.stages, stage) != target.stages.end();
 }
 
-// Whether a target is seen to have no objection where another one refused.
+// Whether a target got further than where another one refused.
+bool gets_further(const Request& request, const Target& target, const Refusal& refusal) {
+  const Result<Attempt> other = attempt(request, target);
+  if (!other || !other->refusal) return true;
+  const Refusal& objection = *other->refusal;
+  return objection.of == Refusal::Of::kOutput || objection.place > refusal.place;
+}
+
+// Whether a target takes the whole shader; of a stage that it has one: there is little to say of the rest.
 bool takes(const Request& request, const Target& target, const Refusal& refusal) {
   if (refusal.of == Refusal::Of::kStage) return has_stage(target, request.stage);
   const Result<Attempt> other = attempt(request, target);
-  if (!other) return refusal.of == Refusal::Of::kText;  // the text was valid; the loops were not
-  if (!other->refusal) return true;
-  const Refusal& objection = *other->refusal;
-  return refusal.of == Refusal::Of::kText &&
-         (objection.of == Refusal::Of::kOutput || objection.place > refusal.place);
+  return other && !other->refusal;
 }
 
 // Whether the target is why: what neither of the two that have most takes is a mistake.
 bool is_lack(const Request& request, const Target& target, const Refusal& refusal) {
   constexpr std::array kRichest = {"glsl450", "vulkan"};
   return refusal.of != Refusal::Of::kText || std::ranges::any_of(kRichest, [&](const char* name) {
-           return target.name != name && takes(request, *find_target(name), refusal);
+           return target.name != name && gets_further(request, *find_target(name), refusal);
          });
 }
 
@@ -53,8 +57,8 @@ Diagnostic explain(const Request& request, const Target& target, const Refusal& 
     if (is_other && takes(request, other, refusal)) others.push_back(other.name);
   }
   Diagnostic explained = refusal.diagnostic;
-  if (others.empty()) return explained;
-  explained.message += "; refused for the target " + target.name + ", taken by " + join(others);
+  explained.message += "; refused for the target " + target.name;
+  if (!others.empty()) explained.message += ", taken by " + join(others);
   return explained;
 }
 

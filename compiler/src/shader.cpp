@@ -14,6 +14,7 @@
 #include "inspect.h"
 #include "log.h"
 #include "prototype.h"
+#include "text.h"
 #include "uniforms.h"
 
 namespace gnomon::compiler {
@@ -123,6 +124,20 @@ struct Unit {
   EShMessages messages;
 };
 
+// The first in the text; the names are in no order of it.
+std::optional<Message> first_unnumbered(const std::string& text, const std::vector<std::string>& names) {
+  std::optional<Message> first;
+  for (const std::string& name : names) {
+    const int line = line_of_word(text, name);
+    if (first && first->line <= line) continue;
+    first = Message{
+        line, fmt::format("'{}': passes between stages without a location, by which SPIR-V matches the two "
+                          "sides: write layout(location = N) in both",
+                          name)};
+  }
+  return first;
+}
+
 // What glslang must not be given.
 std::optional<Message> find_unbearable(const std::string& text, Stage stage, const Target& target) {
   if (auto excess = find_excess(text)) return excess;
@@ -164,7 +179,8 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);
   if (!shader.has_main) return shader;
-  if (target.rules != Rules::kOpenGl) shader.error = find_unnumbered(*unit.getIntermediate(), stage);
+  if (target.rules != Rules::kOpenGl)
+    shader.error = first_unnumbered(text, find_unnumbered(*unit.getIntermediate(), stage));
   if (shader.error) return shader;
   glslang::TProgram program;
   program.addShader(&unit);
@@ -176,6 +192,20 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   shader.interface = read_interface(*program.getIntermediate(language_of(stage)), stage, target);
   if (target.rules != Rules::kOpenGl) shader.spirv = to_spirv(program, stage);
   return shader;
+}
+
+std::optional<std::string> defect_of_hlsl(const std::string& text, Stage stage) {
+  initialize_glslang();
+  glslang::TShader unit(language_of(stage));
+  const char* const string = text.c_str();
+  unit.setStrings(&string, 1);
+  unit.setEnvInput(glslang::EShSourceHlsl, language_of(stage), glslang::EShClientVulkan, 100);
+  unit.setEnvClient(glslang::EShClientVulkan, glslang::EShTargetVulkan_1_0);
+  unit.setEnvTarget(glslang::EShTargetSpv, glslang::EShTargetSpv_1_0);
+  unit.setEntryPoint("main");
+  constexpr auto messages = static_cast<EShMessages>(EShMsgReadHlsl | EShMsgSpvRules | EShMsgVulkanRules);
+  if (unit.parse(GetDefaultResources(), 500, false, messages)) return std::nullopt;
+  return first_line(unit.getInfoLog());
 }
 
 std::string glslang_version() {

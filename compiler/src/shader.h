@@ -67,6 +67,9 @@ struct Shader {
 /// Parses and links `text` (which has its #version) with glslang, by the rules of the target.
 [[nodiscard]] Shader compile(const std::string& text, Stage stage, const Target& target);
 
+/// What glslang's HLSL front end finds wrong with a text made for a target; nothing for a valid one.
+[[nodiscard]] std::optional<std::string> defect_of_hlsl(const std::string& text, Stage stage);
+
 /// `text` with its macros expanded, by the rules of the target. Of a text that compiles.
 [[nodiscard]] std::string preprocess(const std::string& text, Stage stage, const Target& target);
 

@@ -146,9 +146,14 @@ std::optional<Diagnostic> find_conditionals(const std::string& path, SourceFile&
 
 }  // namespace
 
+bool is_pragma_once(const SourceLine& line) {
+  return line.directive == "pragma" && line.argument == "once";
+}
+
 std::optional<std::string> read_bytes(const std::string& path) {
+  // A pipe could be read once only, and a device without an end.
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return std::nullopt;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream bytes;
   bytes << stream.rdbuf();
@@ -172,6 +177,9 @@ Result<SourceFile> scan(const std::string& path, std::string bytes) {
   if (open_comment > 0)
     return failure(path, open_comment, "unterminated comment: no */ follows in this file");
   if (auto defect = find_conditionals(path, file)) return *std::move(defect);
+  file.once = std::ranges::any_of(file.lines,
+                                  [](const SourceLine& line) { return is_pragma_once(line) && !line.dead; });
+  file.guarded = file.guarded || file.once;
   return file;
 }
 

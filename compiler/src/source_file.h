@@ -25,10 +25,13 @@ struct SourceLine {
 
 struct SourceFile {
   std::vector<SourceLine> lines;
-  bool guarded = false;  ///< nothing stands outside of the file's include guard
+  bool guarded = false;  ///< nothing stands outside of the file's include guard, or it has #pragma once
+  bool once = false;     ///< it has #pragma once
 };
 
-/// The bytes of a file; none where it cannot be read (a folder, say).
+[[nodiscard]] bool is_pragma_once(const SourceLine& line);
+
+/// The bytes of an ordinary file; none where it cannot be read or is a folder, a pipe or a device.
 [[nodiscard]] std::optional<std::string> read_bytes(const std::string& path);
 
 /// Cuts `bytes` into lines: a byte order mark is dropped, CRLF and CR end a line like LF. Fails (kFailed),

@@ -10,11 +10,24 @@
 namespace gnomon::compiler {
 namespace {
 
+// Members of a block without an instance name are called after the block, not after a number:
+// gnomon_uniforms_u_sun.
+void name_instances(spirv_cross::Compiler& compiler) {
+  const spirv_cross::ShaderResources resources = compiler.get_shader_resources();
+  for (const auto* list : {&resources.uniform_buffers, &resources.push_constant_buffers}) {
+    for (const spirv_cross::Resource& block : *list) {
+      if (compiler.get_name(block.id).empty())
+        compiler.set_name(block.id, compiler.get_name(block.base_type_id) + "_data");
+    }
+  }
+}
+
 std::string to_hlsl(const std::uint32_t* words, size_t count) {
   spirv_cross::CompilerHLSL compiler(words, count);
   spirv_cross::CompilerHLSL::Options options = compiler.get_hlsl_options();
   options.shader_model = 50;
   compiler.set_hlsl_options(options);
+  name_instances(compiler);
   return compiler.compile();
 }
 

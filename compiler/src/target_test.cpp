@@ -86,7 +86,7 @@ TEST_F(Targets, OnlyTargetsThatWereSeenToTakeItAreNamed) {
 TEST_F(Targets, VaryingsWithoutALocationAreRefusedWhereTheyAreNumbered) {
   const std::string source = "in vec2 a;\nout vec4 o;\nvoid main() {\n  o = vec4(a, a);\n}\n";
   EXPECT_EQ(error("opengl", "a.frag", source),
-            "a.frag:4: error: 'a': passes between stages without a location, by which SPIR-V matches the two "
+            "a.frag:1: error: 'a': passes between stages without a location, by which SPIR-V matches the two "
             "sides: "
             "write layout(location = N) in both; refused for the target opengl, taken by glsl450, glsl330, "
             "essl300 and "
@@ -99,11 +99,48 @@ TEST_F(Targets, ResourcesThatOnlySetsTellApartAreRefusedWhereThereAreNone) {
       "layout(location = 0) out vec4 o;\nvoid main() {\n  o = texture(a, vec2(0)) + texture(b, "
       "vec2(0));\n}\n";
   EXPECT_EQ(error("vulkan", "a.frag", source), "no error");
-  for (const char* target : {"hlsl50", "msl21", "opengl", "glsl450"}) {
-    EXPECT_TRUE(error(target, "a.frag", source)
-                    .starts_with("a.frag:2: error: 'b': its texture 0 is also that of 'a'"))
-        << error(target, "a.frag", source);
-  }
+  EXPECT_EQ(
+      error("hlsl50", "a.frag", source),
+      "a.frag:2: error: 'b', a texture: its place for the target hlsl50, register t0, is also that of 'a', a "
+      "texture: give it another binding; refused for the target hlsl50, taken by glsl330, essl300 and "
+      "vulkan");
+  for (const char* target : {"msl21", "opengl", "glsl450"})
+    EXPECT_TRUE(error(target, "a.frag", source).starts_with("a.frag:2: error: 'b', a texture:")) << target;
+}
+
+TEST_F(Targets, KindsThatShareNumbersAreRefusedAtTheSameOne) {
+  const std::string written =
+      "layout(local_size_x = 8) in;\nlayout(std430, binding = 0) buffer M { vec4 l[]; } m;\n"
+      "layout(binding = 0, rgba8) uniform writeonly highp image2D im;\n"
+      "void main() { m.l[0] = vec4(1); imageStore(im, ivec2(0), m.l[0]); }\n";
+  EXPECT_EQ(error("glsl450", "a.comp", written), "no error");
+  EXPECT_TRUE(error("hlsl50", "a.comp", written)
+                  .starts_with("a.comp:2: error: 'M', a storage block: its place for the "
+                               "target hlsl50, register u0, is also that of 'im'"));
+  EXPECT_TRUE(error("vulkan", "a.comp", written)
+                  .starts_with("a.comp:2: error: 'M', a storage block: its place for the "
+                               "target vulkan, set 0, binding 0, is also that of 'im'"));
+  const std::string apart =
+      "layout(std140, binding = 0) uniform B { vec4 x; }; layout(binding = 0) uniform sampler2D t;\n"
+      "layout(location = 0) out vec4 o; void main() { o = x + texture(t, vec2(0)); }\n";
+  for (const char* target : {"hlsl50", "msl21", "opengl"})
+    EXPECT_EQ(error(target, "a.frag", apart), "no error") << target;
+  EXPECT_NE(error("vulkan", "a.frag", apart), "no error");
+}
+
+TEST_F(Targets, BooleanUniformsAreRefusedAtTheirLineForOpenGlsSpirv) {
+  const std::string source =
+      "layout(location = 0) out vec4 o;\nuniform bool flag;\nvoid main() {\n  o = vec4(flag ? 1.0 : "
+      "0.0);\n}\n";
+  EXPECT_TRUE(error("opengl", "a.frag", source)
+                  .starts_with("a.frag:2: error: 'flag': a uniform of type bool has no form"));
+  for (const char* target : {"glsl450", "vulkan", "hlsl50", "msl21"})
+    EXPECT_EQ(error(target, "a.frag", source), "no error");
+}
+
+TEST_F(Targets, MembersOfHlslsUniformsAreCalledAfterTheirBlock) {
+  EXPECT_NE(made("hlsl50", "a.frag", kLoose)->output.find("float gnomon_uniforms_data_a "), std::string::npos)
+      << made("hlsl50", "a.frag", kLoose)->output;
 }
 
 TEST_F(Targets, BindingsOfTheSourceAreThoseOfMsl) {
@@ -115,6 +152,16 @@ TEST_F(Targets, BindingsOfTheSourceAreThoseOfMsl) {
   EXPECT_NE(msl.find("[[texture(5)]]"), std::string::npos) << msl;
   EXPECT_NE(msl.find("[[sampler(5)]]"), std::string::npos) << msl;
   EXPECT_NE(msl.find("[[buffer(7)]]"), std::string::npos) << msl;
+}
+
+TEST_F(Targets, NamesThatAreWordsOfHlslAreRefusedThere) {
+  const std::string source =
+      "layout(location = 0) out vec4 o;\nuniform float x;\nvoid main() {\n  float float4 = x;\n  if (x > "
+      "0.5) float4 += x;\n"
+      "  o = vec4(float4);\n}\n";
+  EXPECT_NE(error("hlsl50", "a.frag", source).find("the HLSL made of it is not valid"), std::string::npos)
+      << error("hlsl50", "a.frag", source) << made("hlsl50", "a.frag", source)->output;
+  EXPECT_EQ(error("vulkan", "a.frag", source), "no error");
 }
 
 TEST_F(Targets, GeometryShadersAreRefusedWhereThereAreNone) {

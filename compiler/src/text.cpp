@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "text.h"
 
+#include <algorithm>
+
 namespace gnomon::compiler {
 namespace {
 
@@ -56,6 +58,18 @@ std::string blank_comments(std::string_view text) {
     }
   }
   return code;
+}
+
+int line_of_word(std::string_view text, std::string_view word) {
+  const std::string code = blank_comments(text);
+  size_t at = code.find(word);
+  const auto ends_here = [&](size_t place) {
+    return place >= code.size() || !is_word_character(code[place]);
+  };
+  while (at != code.npos && !(ends_here(at + word.size()) && (at == 0 || ends_here(at - 1))))
+    at = code.find(word, at + 1);
+  if (at == code.npos) return 1;
+  return 1 + static_cast<int>(std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 std::string without_comments(std::string_view line, bool& in_comment) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which functions the modules define, as the GLSL compiler sees them: no test may forget one.
-#pragma once
+#ifndef GNOMON_TESTING_DEFINED_FUNCTIONS_H
+#define GNOMON_TESTING_DEFINED_FUNCTIONS_H
 
 #include <string>
 #include <vector>
@@ -18,3 +19,5 @@ struct DefinedFunction {
 [[nodiscard]] Result<std::vector<DefinedFunction>> defined_functions(const std::string& library);
 
 }  // namespace gnomon::modules
+
+#endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Calls of module functions on the GPU.
-#pragma once
+#ifndef GNOMON_TESTING_GPU_CALLS_H
+#define GNOMON_TESTING_GPU_CALLS_H
 
 #include <span>
 #include <string>
@@ -26,3 +27,5 @@ namespace gnomon::modules {
 inline constexpr int kCallsPerRow = 500;
 
 }  // namespace gnomon::modules
+
+#endif

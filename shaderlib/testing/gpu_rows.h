@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How each function of the modules is compared between GPU and C++.
-#pragma once
+#ifndef GNOMON_TESTING_GPU_ROWS_H
+#define GNOMON_TESTING_GPU_ROWS_H
 
 #include <functional>
 #include <vector>
@@ -26,3 +27,5 @@ struct Row {
 [[nodiscard]] std::vector<Row> rows();
 
 }  // namespace gnomon::modules
+
+#endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The shader modules as C++ over a height map in memory: the very code that the GPU runs, for tests.
-#pragma once
+#ifndef GNOMON_TESTING_MAP_MODULES_H
+#define GNOMON_TESTING_MAP_MODULES_H
 
 #include <gnomon/modules.h>
 
@@ -73,3 +74,5 @@ class MapModules final : public Modules {
 }
 
 }  // namespace gnomon::modules
+
+#endif

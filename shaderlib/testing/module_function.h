@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A function of the modules, callable with a list of scalars in C++ and described as GLSL.
-#pragma once
+#ifndef GNOMON_TESTING_MODULE_FUNCTION_H
+#define GNOMON_TESTING_MODULE_FUNCTION_H
 
 #include <functional>
 #include <string>
@@ -116,3 +117,5 @@ template <class R, class... P>
 }
 
 }  // namespace gnomon::modules
+
+#endif

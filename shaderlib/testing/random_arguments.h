@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random arguments for module functions: what a walk over a map gives them, and hostile ones.
-#pragma once
+#ifndef GNOMON_TESTING_RANDOM_ARGUMENTS_H
+#define GNOMON_TESTING_RANDOM_ARGUMENTS_H
 
 #include <random>
 
@@ -62,3 +63,5 @@ class RandomArguments {
 };
 
 }  // namespace gnomon::modules
+
+#endif

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Values of the modules' types as lists of scalars and as GLSL text. A scalar travels as a float: booleans
 // as 0 and 1, integers as themselves (below 2^24 exactly).
-#pragma once
+#ifndef GNOMON_TESTING_SCALARS_H
+#define GNOMON_TESTING_SCALARS_H
 
 #include <gnomon/modules.h>
 
@@ -147,3 +148,5 @@ void append_glsl_scalars(const std::string& name, std::vector<std::string>& expr
 }
 
 }  // namespace gnomon::modules
+
+#endif

@@ -10,9 +10,19 @@
 
 namespace gnomon {
 
-/// Replaces `path` by `bytes`: a temporary file beside it, flushed to the disk, then renamed. A symbolic link
-/// is followed; a device or pipe is written to directly. On failure (Failure::kMachine: no such folder, not
-/// writable, disk full) an older file stays whole and no other file remains.
+/// What a file is to hold.
+struct FileContent {
+  std::string path;
+  std::span<const std::byte> bytes;
+};
+
+/// Replaces the files, all or none: a temporary file beside each, flushed to the disk, then all renamed. A
+/// symbolic link is followed; a device, a pipe or an open descriptor (/dev/stdout) is written to directly, at
+/// its end. A file keeps its mode. Interrupts wait until it is done. On failure (Failure::kMachine: no such
+/// folder, not writable, disk full) older files stay whole and no other file remains.
+[[nodiscard]] Result<Done> write_files_atomically(std::span<const FileContent> files);
+
+/// One file.
 [[nodiscard]] Result<Done> write_file_atomically(const std::string& path, std::span<const std::byte> bytes);
 
 }  // namespace gnomon

@@ -110,6 +110,7 @@ struct Assembled {
 ///   error.
 /// * A file wrapped in an include guard is inlined where it is first included outside of all conditionals,
 /// and not again.
+/// * #pragma once is an include guard.
 /// * Lines joined by a backslash become one line; #line and the #extension of include directives are dropped.
 /// Fails (kInvalid) where `path` itself cannot be read or the target is unknown, (kFailed) for a missing
 /// include, a cycle, an unterminated conditional or comment, bytes that are not UTF-8 text, a #version that

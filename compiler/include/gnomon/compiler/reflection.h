@@ -41,8 +41,9 @@ enum class BlockKind { kUniform, kStorage, kPushConstant };
 struct Block {
   std::string name;
   BlockKind kind = BlockKind::kUniform;
+  bool is_readonly = false;   ///< a storage block that the shader only reads
   int array_size = 0;         ///< of an array of blocks, which has a binding for each; 0: no array
-  std::optional<int> size{};  ///< bytes; without the array at its end that has no size
+  std::optional<int> size{};  ///< bytes to allocate; without the array at its end that has no size
   std::optional<int> set{};   ///< for Vulkan
   std::optional<int> binding{};
   std::vector<Member> members{};  ///< in the order of the source
