@@ -82,6 +82,18 @@ Diagnostics in_scene(Diagnostics diagnostics, const Scene& scene) {
   return diagnostics;
 }
 
+/// Whether the user asked for a back end or a device by name.
+bool is_named(const EngineOptions& options) {
+  return options.backend == Backend::kEgl || options.backend == Backend::kOsmesa || !options.device.empty();
+}
+
+gl::Request request_of(const EngineOptions& options) {
+  gl::Request request{.device = options.device};
+  if (options.backend == Backend::kEgl) request.api = gl::Api::kEgl;
+  if (options.backend == Backend::kOsmesa) request.api = gl::Api::kOsmesa;
+  return request;
+}
+
 /// The heights under the pixels of a view, for pictures.
 std::vector<float> heights_under(const HeightMap& map, const technique::MapView& view) {
   if (view.on_samples()) return map.samples;
@@ -107,18 +119,24 @@ Result<std::shared_ptr<const HeightMap>> Engine::terrain(const Scene& scene) {
   return terrain_->map;
 }
 
+Engine::~Engine() {
+  // Textures and programs have to go where they came from, also while another engine's context is current.
+  if (context_) static_cast<void>(context_->make_current());
+}
+
 Result<const gl::Info*> Engine::gl_info() {
   if (options_.backend == Backend::kCpu) {
     return Diagnostic{.message = "'--backend cpu' renders without OpenGL: use it with --method reference"};
   }
   if (!context_) {
-    Result<gl::Context> context = gl::Context::create();
+    Result<gl::Context> context = gl::Context::create(request_of(options_));
     if (!context) return context.diagnostics();
     context_ = std::move(context).value();
     programs_.emplace(compiler::Options{.library_directory = options_.shader_library,
                                         .include_directories = options_.includes,
                                         .target = options_.target});
   }
+  if (const Result<Done> current = context_->make_current(); !current) return current.diagnostics();
   return &context_->info();
 }
 
@@ -150,8 +168,8 @@ Result<Rendered> Engine::render(const Scene& scene) {
     return wrong;
   const bool on_cpu =
       options_.backend == Backend::kCpu || technique::find_technique(scene.shadow.method)->program.empty();
-  if (options_.backend == Backend::kEgl) {
-    // Asked for by name: its absence is an error even where the method could do without.
+  if (is_named(options_)) {
+    // Its absence is an error even where the method could do without.
     if (const Result<const gl::Info*> info = gl_info(); !info) return info.diagnostics();
   }
   Result<image::Image> image = on_cpu ? reference(scene, scene.shadow.q) : render_with_gl(scene, *map);

@@ -19,9 +19,10 @@
 namespace gnomon {
 
 enum class Backend {
-  kAuto,  ///< EGL
-  kEgl,   ///< surfaceless EGL
-  kCpu    ///< no GL: every scene is answered by the oracle
+  kAuto,    ///< hardware by EGL, else software by EGL, else OSMesa
+  kEgl,     ///< OpenGL by EGL, hardware first
+  kOsmesa,  ///< OpenGL by OSMesa
+  kCpu      ///< no GL: every scene is answered by the oracle
 };
 
 struct EngineOptions {
@@ -29,6 +30,8 @@ struct EngineOptions {
   std::vector<std::string> includes;  ///< further folders, before the library
   std::string target = "glsl450";     ///< dialect that the modules are assembled in
   Backend backend = Backend::kAuto;
+  std::string
+      device{};  ///< which of the devices of `gnomon info`, by number or name; empty: by the back end's order
 };
 
 /// What a render shows and what it was made from.
@@ -41,6 +44,9 @@ struct Rendered {
 class Engine {
  public:
   explicit Engine(EngineOptions options) : options_(std::move(options)) {}
+  Engine(Engine&&) = default;
+  Engine& operator=(Engine&&) = delete;
+  ~Engine();
 
   /// The scene's image by its own method; attributes tell what made it (scene, shader and program hash,
   /// renderer).
@@ -54,8 +60,8 @@ class Engine {
   [[nodiscard]] static image::Picture picture(const terrain::HeightMap& map, const scene::Scene& scene,
                                               const std::vector<float>& k_shadow);
 
-  /// The context, made at its first use. Fails with kMachine where there is no GL, or where `backend` forbids
-  /// it.
+  /// The context, made at its first use and current after each. Fails with kMachine where there is none as
+  /// `backend` and `device` ask for.
   [[nodiscard]] Result<const gl::Info*> gl_info();
 
   /// For bench: the map of a scene, the programs, the pyramid.

@@ -233,13 +233,55 @@ TEST_F(Gnomon, BrokenGoldenCanBeReplaced) {
   EXPECT_EQ(run("test").code, 0);
 }
 
-TEST_F(Gnomon, WithoutEglGlIsNinetyNineAndTheOracleAnswers) {
+TEST_F(Gnomon, WithoutEglAndOsmesaGlIsNinetyNineAndTheOracleAnswers) {
   write_scene("a", R"([{"reference": {}}])");
-  setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
-  EXPECT_EQ(run("render testcases/a.json -o o.exr").code, 99);
+  write("no_gl/libEGL.so.1", "no library");
+  write("no_gl/libOSMesa.so.8", "no library");
+  write("no_gl/libOSMesa.so.6", "no library");
+  setenv("LD_LIBRARY_PATH", (root_ / "no_gl").c_str(), 1);
+  const Ran ran = run("render testcases/a.json -o o.exr");
+  EXPECT_EQ(ran.code, 99);
+  for (const char* package : {"libegl1", "libegl-mesa0", "libgl1-mesa-dri", "libosmesa6"})
+    EXPECT_SAYS(ran, package);
   EXPECT_EQ(run("render testcases/a.json --backend cpu -o o.exr").code, 0);
   EXPECT_EQ(run("render testcases/a.json --backend egl --set shadow.method=reference -o o.exr").code, 99);
+  const Ran test = run("test --backend osmesa");
+  EXPECT_EQ(test.code, 99);
+  EXPECT_SAYS(test, "'--backend osmesa': libOSMesa.so.8 cannot be loaded");
+  EXPECT_SAYS(test, "libosmesa6");
+  const Ran info = run("info");
+  EXPECT_EQ(info.code, 99);
+  EXPECT_SAYS(info, "back end osmesa    absent");
+  unsetenv("LD_LIBRARY_PATH");
+}
+
+TEST_F(Gnomon, WithoutAnEglDriverAutoTakesOsmesaAndSaysWhy) {
+  write_scene("a", R"([{"reference": {}}])");
+  if (run("test --backend osmesa").code == 99) GTEST_SKIP() << "no OSMesa here";
+  setenv("__EGL_VENDOR_LIBRARY_DIRS", "/nonexistent", 1);
+  EXPECT_EQ(run("test").code, 0);
+  EXPECT_EQ(run("test --backend egl").code, 99);
+  const Ran info = run("info");
+  EXPECT_EQ(info.code, 0);
+  EXPECT_SAYS(info, "auto takes         device 0: EGL gives none: libEGL.so.1 has no driver");
   unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
+}
+
+TEST_F(Gnomon, DeviceReachesTheWorkersAndTheCommandThatReproduces) {
+  write_scene("a", R"([{"probe": {"at": [0, 0], "b_shadow": 7}}])");
+  const Ran ran = run("test --device 0");
+  EXPECT_EQ(ran.code, 1);
+  EXPECT_SAYS(ran, "--device 0\n");
+  const Ran none = run("test --device geforce");
+  EXPECT_EQ(none.code, 99);
+  EXPECT_SAYS(none, "'--device geforce' matches none of the devices");
+  EXPECT_SAYS(none, "device 0 ");
+  EXPECT_EQ(run("render testcases/a.json --device geforce -o o.exr").code, 99);
+  EXPECT_FALSE(fs::exists(root_ / "o.exr"));
+  EXPECT_EQ(run("bench --size 64 --rounds 1 --device geforce").code, 99);
+  EXPECT_EQ(run("bench --backend cpu").code, 2);
+  EXPECT_EQ(run("test --backend cpu --device 0").code, 2);
+  EXPECT_EQ(run("test --backend vulkan").code, 2);
 }
 
 TEST_F(Gnomon, DiffOfEqualImagesIsZeroAndOfOtherSizesOne) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "spirv.h"
 
+#include <fmt/format.h>
+#include <spirv_cross/spirv_cross_c.h>
+
 #include <spirv-tools/libspirv.hpp>
 #include <spirv_cross/spirv_hlsl.hpp>
 #include <spirv_cross/spirv_msl.hpp>
@@ -89,6 +92,15 @@ Translation translate(std::span<const std::uint32_t> spirv, Format format) {
   } catch (const std::exception& refusal) {  // its way to say that the language has no such thing
     return {.text = {}, .failure = first_line(refusal.what())};
   }
+}
+
+std::string spirv_tools_version() {
+  return spvSoftwareVersionString();
+}
+
+std::string spirv_cross_version() {
+  return fmt::format("{}.{}.{}", SPVC_C_API_VERSION_MAJOR, SPVC_C_API_VERSION_MINOR,
+                     SPVC_C_API_VERSION_PATCH);
 }
 
 }  // namespace gnomon::compiler

@@ -14,7 +14,7 @@ namespace gnomon::cli {
 namespace {
 
 const std::map<std::string, Backend> kBackends{
-    {"auto", Backend::kAuto}, {"egl", Backend::kEgl}, {"cpu", Backend::kCpu}};
+    {"auto", Backend::kAuto}, {"egl", Backend::kEgl}, {"osmesa", Backend::kOsmesa}, {"cpu", Backend::kCpu}};
 const std::map<std::string, UpdateGoldens> kUpdates{{"none", UpdateGoldens::kNone},
                                                     {"missing", UpdateGoldens::kMissing},
                                                     {"changed", UpdateGoldens::kChanged},
@@ -96,9 +96,24 @@ void add_overrides(CLI::App* app, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
-void add_backend(CLI::App* app, Backend& backend, std::string& target) {
+void add_backend(CLI::App* app, Backend& backend, std::string& device) {
   add_choice(app, "--backend", backend, kBackends,
-             "auto: EGL; egl: surfaceless EGL; cpu: the oracle, no GL. Default auto");
+             "auto: hardware by EGL, else software by EGL, else OSMesa; egl; osmesa; cpu: the oracle, no "
+             "OpenGL. Default auto");
+  app->add_option("--device", device,
+                  "which of the devices of 'gnomon info', by number or a part of its name. Default: the back "
+                  "end's first that works")
+      ->type_name("N|NAME");
+}
+
+/// --device picks an OpenGL device, --backend cpu has none.
+void check_device(Backend backend, const std::string& device) {
+  if (backend == Backend::kCpu && !device.empty())
+    throw CLI::ValidationError("--device",
+                               "picks an OpenGL device; '--backend cpu' uses none: leave one out");
+}
+
+void add_target(CLI::App* app, std::string& target) {
   std::vector<std::string> names;
   for (const compiler::Target& t : compiler::targets()) {
     if (t.format == compiler::Format::kGlsl) names.push_back(t.name);
@@ -154,7 +169,8 @@ void add_render(CLI::App& root, RenderArguments& a) {
   scene->excludes(heightmap);
   add_map_options(app, a);
   add_overrides(app, a.overrides);
-  add_backend(app, a.backend, a.target);
+  add_backend(app, a.backend, a.device);
+  add_target(app, a.target);
   app->add_option("-o", a.output, "what to write: .exr all channels, .png a picture, .tif b_shadow")
       ->type_name("OUT")
       ->required();
@@ -171,7 +187,8 @@ void add_test_options(CLI::App* app, TestArguments& a) {
       ->check(CLI::Range(1, 1024));
   app->add_option("--shard", a.shard, "run every N-th test, beginning with the I-th (from 1)")
       ->type_name("I/N");
-  add_backend(app, a.backend, a.target);
+  add_backend(app, a.backend, a.device);
+  add_target(app, a.target);
   app->add_option("--report", a.report, "write a page (DIR/index.html) with every test's pictures")
       ->type_name("DIR");
   add_choice(app, "--update-goldens", a.update, kUpdates,
@@ -222,6 +239,7 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
   app->add_option("--rounds", bench.rounds, "how often each method runs. Default 5")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
+  add_backend(app, bench.backend, bench.device);
   app->add_option("--json", bench.json, "also write the figures as JSON")->type_name("FILE");
 
   root.add_subcommand("info",
@@ -275,6 +293,10 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
   try {
     root.parse(argc, argv);
     if (root.got_subcommand("render")) check_render(render);
+    check_device(render.backend, render.device);
+    check_device(test.backend, test.device);
+    if (bench.backend == Backend::kCpu)
+      throw CLI::ValidationError("--backend", "bench times OpenGL methods, which 'cpu' has none of");
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;
@@ -307,6 +329,7 @@ std::vector<std::string> rendering_flags(const TestArguments& a) {
   const TestArguments defaults;
   std::vector<std::string> words;
   if (a.backend != defaults.backend) words.insert(words.end(), {"--backend", key_of(kBackends, a.backend)});
+  if (!a.device.empty()) words.insert(words.end(), {"--device", a.device});
   if (a.target != defaults.target) words.insert(words.end(), {"--target", a.target});
   for (const std::string& override_text : a.overrides) words.insert(words.end(), {"--set", override_text});
   return words;

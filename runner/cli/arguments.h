@@ -28,6 +28,7 @@ struct RenderArguments {
   std::optional<std::string> channel;
   std::vector<std::string> overrides;  ///< KEY=VALUE
   Backend backend = Backend::kAuto;
+  std::string device;  ///< empty: any
   std::string target = "glsl450";
   std::string output;
 };
@@ -38,6 +39,7 @@ struct TestArguments {
   int jobs = 0;  ///< 0: one a core
   std::string shard = "1/1";
   Backend backend = Backend::kAuto;
+  std::string device;  ///< empty: any
   std::string target = "glsl450";
   std::string report;  ///< empty: no page
   UpdateGoldens update = UpdateGoldens::kNone;
@@ -67,6 +69,8 @@ struct BenchArguments {
   std::vector<int> sizes{1024, 2048};  ///< samples a side
   double elevation = 10;               ///< degrees
   int rounds = 5;
+  Backend backend = Backend::kAuto;
+  std::string device;  ///< empty: any
   std::string json;
 };
 

@@ -51,7 +51,8 @@ std::string to_table(const BenchResult& result) {
 }  // namespace
 
 int run_command(const BenchArguments& arguments, Console& console) {
-  Engine engine({.shader_library = console.shader_library});
+  Engine engine(
+      {.shader_library = console.shader_library, .backend = arguments.backend, .device = arguments.device});
   nlohmann::json all = nlohmann::json::array();
   int code = 0;
   for (const int size : arguments.sizes) {
@@ -65,9 +66,12 @@ int run_command(const BenchArguments& arguments, Console& console) {
   }
   if (arguments.json.empty()) return code;
   const Result<const gl::Info*> info = engine.gl_info();
-  const std::string text =
-      nlohmann::json{{"version", GNOMON_VERSION}, {"renderer", (*info)->renderer}, {"runs", all}}.dump(2) +
-      "\n";
+  const std::string text = nlohmann::json{{"version", GNOMON_VERSION},
+                                          {"backend", gl::name_of((*info)->device.api)},
+                                          {"renderer", (*info)->renderer},
+                                          {"runs", all}}
+                               .dump(2) +
+                           "\n";
   const Result<Done> written = write_file_atomically(arguments.json, std::as_bytes(std::span(text)));
   return written ? code : worse(code, report(console, written.diagnostics()));
 }

@@ -117,7 +117,8 @@ int run_command(const RenderArguments& arguments, Console& console) {
   Engine engine({.shader_library = console.shader_library,
                  .includes = project ? project->includes : std::vector<std::string>{},
                  .target = arguments.target,
-                 .backend = arguments.backend});
+                 .backend = arguments.backend,
+                 .device = arguments.device});
   std::size_t written_count = 0;
   for (const scene::Scene& scene : loaded.scenes) {
     if (console.interrupted) {

@@ -58,7 +58,8 @@ class Server {
     engine_.emplace(EngineOptions{.shader_library = console_.shader_library,
                                   .includes = includes,
                                   .target = arguments_.target,
-                                  .backend = arguments_.backend});
+                                  .backend = arguments_.backend,
+                                  .device = arguments_.device});
   }
 
   [[nodiscard]] RunOptions options(const Request& request) const {

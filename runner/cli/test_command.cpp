@@ -170,7 +170,8 @@ void print(const std::vector<TestResult>& results, Console& console) {
 
 int write_report(const std::vector<TestResult>& results, const TestArguments& arguments, Console& console) {
   if (arguments.report.empty()) return 0;
-  Engine engine({.shader_library = console.shader_library, .backend = arguments.backend});
+  Engine engine(
+      {.shader_library = console.shader_library, .backend = arguments.backend, .device = arguments.device});
   const Result<const gl::Info*> info = engine.gl_info();
   const report::PageInfo page{
       .title = "gnomon test",
@@ -180,6 +181,16 @@ int write_report(const std::vector<TestResult>& results, const TestArguments& ar
   if (!written) return report(console, written.diagnostics());
   console.out << "report: " << arguments.report << "/index.html\n";
   return 0;
+}
+
+/// A back end or a device that was asked for by name and is absent is said once, not by every test.
+Result<Done> check_backend(const TestArguments& arguments, const Console& console) {
+  const bool named = arguments.backend == Backend::kEgl || arguments.backend == Backend::kOsmesa;
+  if (!named && arguments.device.empty()) return Done{};
+  Engine engine(
+      {.shader_library = console.shader_library, .backend = arguments.backend, .device = arguments.device});
+  if (const Result<const gl::Info*> info = engine.gl_info(); !info) return info.diagnostics();
+  return Done{};
 }
 
 int list(const Planned& planned, Console& console) {
@@ -201,6 +212,8 @@ int run_command(const TestArguments& arguments, Console& console) {
     return report(console, {{.file = "--filter", .message = "matches no test; --list prints the ids"}});
   }
   if (arguments.list) return list(planned, console);
+  if (const Result<Done> there = check_backend(arguments, console); !there)
+    return report(console, there.diagnostics());
 
   const TestRun run = run_tests(planned.requests, arguments, console);
   std::vector<TestResult> results = planned.invalid;

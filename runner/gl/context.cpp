@@ -1,130 +1,172 @@
 // SPDX-License-Identifier: MIT
 #include "gl/context.h"
 
-#include <dlfcn.h>
 #include <glad/gl.h>
 
-#define EGL_NO_X11
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-
-#include <type_traits>
+#include <algorithm>
+#include <array>
 #include <utility>
+
+#include "gl/choice.h"
+#include "gl/egl.h"
+#include "gl/native.h"
+#include "gl/osmesa.h"
 
 namespace gnomon::gl {
 namespace {
 
-Diagnostic no_context(const std::string& what) {
-  return {.message = "no OpenGL context: " + what +
-                     ". Rendering needs EGL and a driver (Debian: libegl1, libegl-mesa0, libgl1-mesa-dri); "
-                     "'--method reference' needs neither",
-          .failure = Failure::kMachine};
+std::string text_of(GLenum name) {
+  const GLubyte* text = glGetString(name);
+  return text ? reinterpret_cast<const char*>(text) : "unknown";
 }
 
-/// libEGL is opened at run time, so that everything that needs no GL works on a machine without it.
-class EglLibrary {
- public:
-  EglLibrary() : handle_(dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL)) {}
-  // Never closed: drivers register exit handlers, and unloading them crashes some.
-  [[nodiscard]] bool loaded() const { return handle_ != nullptr; }
+long limit_of(GLenum name) {
+  GLint64 value = 0;
+  glGetInteger64v(name, &value);
+  return static_cast<long>(value);
+}
 
-  template <class Function>
-  [[nodiscard]] Function* get(const char* name) const {
-    return reinterpret_cast<Function*>(dlsym(handle_, name));
-  }
+Info read_info() {
+  Info info;
+  info.vendor = text_of(GL_VENDOR);
+  info.renderer = text_of(GL_RENDERER);
+  info.version = text_of(GL_VERSION);
+  info.shading_language = text_of(GL_SHADING_LANGUAGE_VERSION);
+  info.max_texture_size = static_cast<int>(limit_of(GL_MAX_TEXTURE_SIZE));
+  std::array<GLint, 2> viewport{};
+  glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+  info.limits = {{"image, pixels a side", std::min(viewport[0], viewport[1])},
+                 {"texture array, layers", limit_of(GL_MAX_ARRAY_TEXTURE_LAYERS)},
+                 {"texture buffer, texels", limit_of(GL_MAX_TEXTURE_BUFFER_SIZE)},
+                 {"storage block, bytes", limit_of(GL_MAX_SHADER_STORAGE_BLOCK_SIZE)}};
+  return info;
+}
 
- private:
-  void* handle_;
-};
+/// A device that is not Mesa's software device may still end there: a display adapter without a GPU.
+bool draws_by_cpu(const std::string& renderer) {
+  const auto named = [&](const char* name) { return renderer.find(name) != std::string::npos; };
+  return named("llvmpipe") || named("softpipe") || named("swrast") || named("Software Rasterizer");
+}
 
-std::string text_of(const GLubyte* text) {
-  return text ? reinterpret_cast<const char*>(text) : "unknown";
+Found list_devices() {
+  EglListing egl = list_egl();
+  Found found{
+      .devices = std::move(egl.devices), .egl_lacks = std::move(egl.lacks), .osmesa_lacks = osmesa_lacks()};
+  if (found.osmesa_lacks.empty())
+    found.devices.push_back({.api = Api::kOsmesa, .place = "OSMesa", .software = true});
+  return found;
+}
+
+Opened open_native(const Device& device) {
+  return device.api == Api::kEgl ? open_egl(device.egl_device) : open_osmesa();
 }
 
 }  // namespace
 
 struct Context::State {
-  EglLibrary egl;
-  EGLDisplay display = EGL_NO_DISPLAY;
-  EGLContext context = EGL_NO_CONTEXT;
+  std::unique_ptr<Native> native;
   GLuint vertex_array = 0;
   Info info;
 
-  State() = default;
+  explicit State(std::unique_ptr<Native> made) : native(std::move(made)) {}
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
+  /// Leaves the context current that was so, unless it is this one.
   ~State() {
-    if (display == EGL_NO_DISPLAY) return;
-    if (context != EGL_NO_CONTEXT) {
-      if (vertex_array != 0) glDeleteVertexArrays(1, &vertex_array);
-      egl.get<decltype(eglMakeCurrent)>("eglMakeCurrent")(display, EGL_NO_SURFACE, EGL_NO_SURFACE,
-                                                          EGL_NO_CONTEXT);
-      egl.get<decltype(eglDestroyContext)>("eglDestroyContext")(display, context);
+    State* before = current;
+    if (make_current().empty() && vertex_array != 0) glDeleteVertexArrays(1, &vertex_array);
+    leave();
+    native.reset();
+    if (before && before != this && !before->make_current().empty()) leave();
+  }
+
+  /// Empty on success, else what failed. The table of GL functions is one for the process: it is loaded anew.
+  std::string make_current() {
+    if (current == this) return {};
+    leave();
+    if (std::string failure = native->make_current(); !failure.empty()) return failure;
+    current = this;
+    return gladLoadGL(native->loader()) ? std::string() : "the GL functions cannot be loaded";
+  }
+
+  static void leave() {
+    if (current) current->native->release();
+    current = nullptr;
+  }
+
+  /// A context on the device, current; null where there is none. Writes into the device what became known.
+  static std::unique_ptr<State> open(Device& device) {
+    Opened opened = open_native(device);
+    device.failure = std::move(opened.failure);
+    if (!opened.native) return nullptr;
+    auto state = std::make_unique<State>(std::move(opened.native));
+    device.failure = state->make_current();
+    if (!device.failure.empty()) return nullptr;
+    state->info = read_info();
+    state->info.library = state->native->library();
+    device.renderer = state->info.renderer;
+    device.version = state->info.version;
+    device.software = draws_by_cpu(device.renderer);
+    // The core profile draws nothing without a vertex array, and ours needs no attributes: one, bound for
+    // good.
+    glCreateVertexArrays(1, &state->vertex_array);
+    glBindVertexArray(state->vertex_array);
+    return state;
+  }
+
+  /// Tries the devices whose name is not known yet.
+  static void name_all(Found& found) {
+    for (Device& device : found.devices) {
+      if (device.renderer.empty() && device.failure.empty()) open(device);
     }
-    egl.get<decltype(eglTerminate)>("eglTerminate")(display);
   }
 
-  /// Empty on success, else what failed.
-  std::string open_display() {
-    if (!egl.loaded()) return "libEGL.so.1 cannot be loaded";
-    const auto get_platform_display = egl.get<decltype(eglGetPlatformDisplay)>("eglGetPlatformDisplay");
-    if (!get_platform_display) return "libEGL.so.1 is older than EGL 1.5";
-    const EGLDisplay opened =
-        get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (opened == EGL_NO_DISPLAY) return "EGL offers no surfaceless platform";
-    if (!egl.get<decltype(eglInitialize)>("eglInitialize")(opened, nullptr, nullptr))
-      return "eglInitialize failed";
-    display = opened;
-    const auto query = egl.get<decltype(eglQueryString)>("eglQueryString");
-    info.egl = std::string(query(display, EGL_VERSION)) + ", " + query(display, EGL_VENDOR);
-    info.backend = "egl (surfaceless)";
-    return {};
-  }
-
-  std::string make_context() {
-    if (!egl.get<decltype(eglBindAPI)>("eglBindAPI")(EGL_OPENGL_API)) return "EGL has no desktop OpenGL";
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
-    context = egl.get<decltype(eglCreateContext)>("eglCreateContext")(display, EGL_NO_CONFIG_KHR,
-                                                                      EGL_NO_CONTEXT, attributes);
-    if (context == EGL_NO_CONTEXT) return "the driver has no OpenGL 4.5 core profile";
-    const auto make_current = egl.get<decltype(eglMakeCurrent)>("eglMakeCurrent");
-    if (!make_current(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return "eglMakeCurrent failed";
-    const auto get_address = egl.get<decltype(eglGetProcAddress)>("eglGetProcAddress");
-    if (!gladLoadGL(reinterpret_cast<GLADloadfunc>(get_address))) return "the GL functions cannot be loaded";
-    return {};
-  }
-
-  void read_info() {
-    info.vendor = text_of(glGetString(GL_VENDOR));
-    info.renderer = text_of(glGetString(GL_RENDERER));
-    info.version = text_of(glGetString(GL_VERSION));
-    info.shading_language = text_of(glGetString(GL_SHADING_LANGUAGE_VERSION));
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.max_texture_size);
-  }
+  static thread_local State* current;
 };
 
-Result<Context> Context::create() {
-  auto state = std::make_unique<State>();
-  if (const std::string failure = state->open_display(); !failure.empty()) return no_context(failure);
-  if (const std::string failure = state->make_context(); !failure.empty()) return no_context(failure);
-  state->read_info();
-  // The core profile draws nothing without a vertex array, and ours needs no attributes: one, bound for good.
-  glCreateVertexArrays(1, &state->vertex_array);
-  glBindVertexArray(state->vertex_array);
-  return Context(std::move(state));
+thread_local Context::State* Context::State::current = nullptr;
+
+Result<Context> Context::create(const Request& request) {
+  Found found = list_devices();
+  if (asks_by_name(request)) State::name_all(found);
+  // A device may fail, or turn out to be software, when it is tried: then the choice is made again with what
+  // is known by then. Each device changes twice at most.
+  for (;;) {
+    Result<Choice> choice = choose(found, request);
+    if (!choice) {
+      State::name_all(found);  // the message lists them
+      return choose(found, request).diagnostics();
+    }
+    std::unique_ptr<State> state = State::open(found.devices[choice->device]);
+    if (!state) continue;
+    const Result<Choice> again = choose(found, request);
+    if (!again || again->device != choice->device) continue;
+    state->info.device = found.devices[again->device];
+    state->info.number = again->device;
+    state->info.reason = again->reason;
+    return Context(std::move(state));
+  }
+}
+
+Found Context::survey() {
+  Found found = list_devices();
+  for (Device& device : found.devices) State::open(device);
+  return found;
 }
 
 Context::Context(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Context::Context(Context&&) noexcept = default;
 Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
+
+Result<Done> Context::make_current() {
+  if (!state_) return Done{};
+  const std::string failure = state_->make_current();
+  if (failure.empty()) return Done{};
+  return Diagnostic{.message = "the OpenGL context cannot be used any more: " + failure,
+                    .failure = Failure::kMachine};
+}
 
 const Info& Context::info() const {
   return state_->info;

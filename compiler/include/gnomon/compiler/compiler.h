@@ -162,5 +162,8 @@ struct Compiled {
 
 /// The version of glslang that validates, such as "12.0.0".
 [[nodiscard]] std::string glslang_version();
+/// Likewise of what judges and translates SPIR-V.
+[[nodiscard]] std::string spirv_tools_version();
+[[nodiscard]] std::string spirv_cross_version();
 
 }  // namespace gnomon::compiler
