@@ -263,7 +263,8 @@ TEST_F(Gnomon, WithoutAnEglDriverAutoTakesOsmesaAndSaysWhy) {
   EXPECT_EQ(run("test --backend egl").code, 99);
   const Ran info = run("info");
   EXPECT_EQ(info.code, 0);
-  EXPECT_SAYS(info, "auto takes         device 0: EGL gives none: libEGL.so.1 has no driver");
+  EXPECT_SAYS(info, "back end egl       absent: libEGL.so.1 has no driver");
+  EXPECT_SAYS(info, "auto takes         device 0: EGL offers no device");
   unsetenv("__EGL_VENDOR_LIBRARY_DIRS");
 }
 

@@ -59,7 +59,7 @@ std::string reason_of_order(const Found& found, const Device& device) {
       return no_hardware + "; " + passed_over(found, 1, "surfaceless platform") +
              "; software EGL devices come next";
     default:
-      if (!found.egl_lacks.empty()) return "EGL gives none: " + found.egl_lacks;
+      if (!found.egl_lacks.empty()) return "EGL offers no device; OSMesa comes last";
       return "no EGL device works; OSMesa comes last";
   }
 }
