@@ -100,7 +100,7 @@ Diagnostic none(const Found& found, const Request& request) {
   });
   const std::string asked = request.api ? std::string("'--backend ") + name_of(*request.api) + "': " : "";
   if (!listed && request.api) return machine(asked + lacks(found, *request.api), {});
-  if (!request.device.empty()) {
+  if (listed && !request.device.empty()) {
     bool unfit = true;
     for (std::size_t i = 0; i < found.devices.size(); ++i) unfit = unfit && !fits(found, i, request);
     return machine(asked + "'--device " + request.device + "' " +

@@ -144,6 +144,9 @@ TEST(Choice, MachineWithoutAnyNamesEverythingThatIsMissing) {
   EXPECT_SAYS(taken(found), "no OpenGL 4.5 core profile");
   EXPECT_SAYS(taken(found), "libosmesa6");
   EXPECT_SAYS(taken(found), "--backend cpu");
+  const Found nothing{.egl_lacks = "the Debian package libegl1", .osmesa_lacks = "libosmesa6"};
+  EXPECT_SAYS(taken(nothing, {.device = "0"}), "no OpenGL 4.5 context");  // no list of no devices
+  EXPECT_SAYS(taken(nothing, {.device = "0"}), "libegl1");
 }
 
 }  // namespace
