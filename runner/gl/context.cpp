@@ -74,11 +74,11 @@ struct Context::State {
 
   /// Leaves the context current that was so, unless it is this one.
   ~State() {
-    State* before = current;
+    State* before = current == this ? nullptr : current;
     if (make_current().empty() && vertex_array != 0) glDeleteVertexArrays(1, &vertex_array);
     leave();
     native.reset();
-    if (before && before != this && !before->make_current().empty()) leave();
+    back_to(before);
   }
 
   /// Empty on success, else what failed. The table of GL functions is one for the process: it is loaded anew.
@@ -88,6 +88,11 @@ struct Context::State {
     if (std::string failure = native->make_current(); !failure.empty()) return failure;
     current = this;
     return gladLoadGL(native->loader()) ? std::string() : "the GL functions cannot be loaded";
+  }
+
+  /// Makes the context current that was so before, where there was one.
+  static void back_to(State* before) {
+    if (!before || !before->make_current().empty()) leave();
   }
 
   static void leave() {
@@ -128,6 +133,7 @@ struct Context::State {
 thread_local Context::State* Context::State::current = nullptr;
 
 Result<Context> Context::create(const Request& request) {
+  State* const before = State::current;
   Found found = list_devices();
   if (asks_by_name(request)) State::name_all(found);
   // A device may fail, or turn out to be software, when it is tried: then the choice is made again with what
@@ -136,6 +142,7 @@ Result<Context> Context::create(const Request& request) {
     Result<Choice> choice = choose(found, request);
     if (!choice) {
       State::name_all(found);  // the message lists them
+      State::back_to(before);
       return choose(found, request).diagnostics();
     }
     std::unique_ptr<State> state = State::open(found.devices[choice->device]);
@@ -150,8 +157,10 @@ Result<Context> Context::create(const Request& request) {
 }
 
 Found Context::survey() {
+  State* const before = State::current;
   Found found = list_devices();
   for (Device& device : found.devices) State::open(device);
+  State::back_to(before);
   return found;
 }
 

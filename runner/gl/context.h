@@ -44,7 +44,7 @@ class Context {
   ~Context();
 
   /// Sends GL calls here again, after another context was made or made current. Costs nothing where it is
-  /// current; does nothing on a context that was moved from.
+  /// current already; does nothing on a context that was moved from.
   [[nodiscard]] Result<Done> make_current();
 
   [[nodiscard]] const Info& info() const;

@@ -64,7 +64,7 @@ TEST(GlContext, EglWithAConfigAndAPixelBufferWhereExtensionsAreMissing) {
 TEST(GlContext, EveryEglDeviceIsListedAndTriedByTheSurvey) {
   SKIP_WITHOUT(list_egl().lacks);
   const Found found = Context::survey();
-  EXPECT_GE(found.devices.size(), list_egl().devices.size());
+  ASSERT_GE(found.devices.size(), list_egl().devices.size());
   for (const Device& device : found.devices)
     EXPECT_NE(device.renderer.empty() && device.version.empty(), device.failure.empty()) << device.place;
 }
@@ -101,6 +101,17 @@ TEST(GlContext, BackEndsStandSideBySideAndCallsGoToTheCurrentOne) {
   osmesa.reset();
   EXPECT_TRUE(glIsBuffer(egl_buffer)) << "the current context stays so while another one ends";
   EXPECT_TRUE(works());
+}
+
+TEST(GlContext, CurrentContextStaysSoWhileOthersAreTried) {
+  SKIP_WITHOUT(list_egl().lacks);
+  const Context context = make(Api::kEgl);
+  GLuint buffer = 0;
+  glCreateBuffers(1, &buffer);
+  static_cast<void>(Context::survey());
+  EXPECT_TRUE(glIsBuffer(buffer));
+  EXPECT_FALSE(Context::create({.device = "999"}));
+  EXPECT_TRUE(glIsBuffer(buffer));
 }
 
 TEST(GlContext, TwoOfOneDisplayOutliveEachOther) {
