@@ -55,7 +55,8 @@ Result<BenchResult> bench(Engine& engine, const BenchOptions& options) {
   const Result<double> built = build_pyramid(engine, *map);
   if (!built) return built.diagnostics();
   const Result<const technique::Pyramid*> pyramid = engine.pyramid(*map, 0);
-  const Result<image::Image> reference = engine.reference(scene, 0);
+  const technique::Ground ground = technique::map_ground({}, scene.shadow, **map);
+  const Result<image::Image> reference = engine.reference(scene, ground);
   if (!reference) return reference.diagnostics();
 
   BenchResult result{.options = options,
@@ -71,7 +72,7 @@ Result<BenchResult> bench(Engine& engine, const BenchOptions& options) {
       scene.shadow.method = figure.method;
       double seconds = 0;
       const Result<image::Image> image =
-          technique::render_shadow(engine.programs(), **pyramid, scene, **map, &seconds);
+          technique::render_shadow(engine.programs(), {{0, *pyramid}}, scene, ground, &seconds);
       if (!image) return image.diagnostics();
       if (round == 0) judge_figure(figure, *image, *reference);
       if (round > 0) figure.seconds.push_back(seconds);

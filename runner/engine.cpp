@@ -6,13 +6,14 @@
 
 #include "image/hillshade.h"
 #include "oracle/oracle.h"
+#include "sample_mean.h"
 #include "scene/load.h"
 #include "technique/hash.h"
+#include "technique/lit.h"
 #include "technique/reference.h"
 #include "technique/renderer.h"
 #include "technique/surface.h"
 #include "technique/technique.h"
-#include "technique/view.h"
 #include "terrain/load.h"
 #include "terrain/procedural.h"
 
@@ -95,14 +96,13 @@ gl::Request request_of(const EngineOptions& options) {
 }
 
 /// The heights under the pixels of a view, for pictures.
-std::vector<float> heights_under(const HeightMap& map, const technique::MapView& view) {
-  if (view.on_samples()) return map.samples;
+std::vector<float> heights_under(const HeightMap& map, const technique::Ground& ground) {
+  if (ground.on_samples()) return map.samples;
   const oracle::Surface surface = technique::surface_of(map);
   std::vector<float> heights;
-  for (int y = 0; y < view.size.y; ++y) {
-    for (int x = 0; x < view.size.x; ++x) {
-      heights.push_back(static_cast<float>(oracle::surface_height(surface, view.column(x), view.row(y))));
-    }
+  for (std::size_t i = 0; i < ground.pixels(); ++i) {
+    heights.push_back(
+        static_cast<float>(oracle::surface_height(surface, double{ground.column[i]}, double{ground.row[i]})));
   }
   return heights;
 }
@@ -141,24 +141,82 @@ Result<const gl::Info*> Engine::gl_info() {
 }
 
 Result<const technique::Pyramid*> Engine::pyramid(const std::shared_ptr<const HeightMap>& map, int q) {
-  if (!pyramid_ || pyramid_->map != map || pyramid_->pyramid.q != q) {
-    pyramid_.reset();  // first: two large pyramids need not fit
-    Result<technique::Pyramid> built = technique::build_pyramid(*programs_, *map, q);
-    if (!built) return built.diagnostics();
-    pyramid_ = BuiltPyramid{map, std::move(built).value()};
-  }
-  return &pyramid_->pyramid;
+  if (pyramids_.map != map) pyramids_ = {map, {}};  // first: those of two large maps need not fit
+  const auto found = pyramids_.levels.find(q);
+  if (found != pyramids_.levels.end()) return &found->second;
+  Result<technique::Pyramid> built = technique::build_pyramid(*programs_, *map, q);
+  if (!built) return built.diagnostics();
+  return &pyramids_.levels.emplace(q, std::move(built).value()).first->second;
 }
 
-Result<image::Image> Engine::render_with_gl(const Scene& scene, const std::shared_ptr<const HeightMap>& map) {
+Result<technique::Ground> Engine::ground(const Scene& scene, const Map& map, bool on_cpu, glm::dvec2 offset) {
+  if (const auto* camera = std::get_if<scene::MapCamera>(&scene.camera))
+    return technique::map_ground(*camera, scene.shadow, *map);
+  if (const auto* points = std::get_if<scene::PointsCamera>(&scene.camera)) {
+    const Result<image::Image> image = image::read_image(points->path);
+    if (!image) return image.diagnostics();
+    return technique::points_ground(*image, points->path, scene.shadow, *map);
+  }
+  const auto& camera = std::get<scene::ViewCamera>(scene.camera);
+  if (on_cpu) return technique::reference_ground(*map, camera, scene.shadow, offset);
+  if (const Result<const gl::Info*> info = gl_info(); !info) return info.diagnostics();
+  const Result<const technique::Pyramid*> base = pyramid(map, 0);
+  if (!base) return in_scene(base.diagnostics(), scene);
+  Result<technique::Ground> seen = technique::seen_ground(*programs_, **base, camera, scene.shadow, offset);
+  if (!seen) return in_scene(seen.diagnostics(), scene);
+  return seen;
+}
+
+Result<image::Image> Engine::render_with_gl(const Scene& scene, const Map& map,
+                                            const technique::Ground& ground) {
   const Result<const gl::Info*> info = gl_info();
   if (!info) return info.diagnostics();
-  const Result<const technique::Pyramid*> built = pyramid(map, scene.shadow.q);
-  if (!built) return in_scene(built.diagnostics(), scene);
-  Result<image::Image> image = technique::render_shadow(*programs_, **built, scene, *map);
+  technique::Pyramids pyramids;
+  for (const int q : ground.levels()) {
+    const Result<const technique::Pyramid*> built = pyramid(map, q);
+    if (!built) return in_scene(built.diagnostics(), scene);
+    pyramids[q] = *built;
+  }
+  Result<image::Image> image = technique::render_shadow(*programs_, pyramids, scene, ground);
   if (!image) return in_scene(image.diagnostics(), scene);
   image->attributes["gnomon:renderer"] = (*info)->renderer + ", OpenGL " + (*info)->version;
   return image;
+}
+
+Result<image::Image> Engine::shadow(const Scene& scene, const Map& map, bool on_cpu,
+                                    const technique::Ground& ground) {
+  return on_cpu ? technique::reference_image(scene, *map, ground) : render_with_gl(scene, map, ground);
+}
+
+Result<Done> Engine::light(const Scene& scene, const Map& map, bool on_cpu, const technique::Ground& ground,
+                           const technique::Albedo& albedo, image::Image& image) {
+  const std::vector<glm::vec3> colours = technique::albedo_under(ground, albedo, *map);
+  if (on_cpu) {
+    technique::light_reference(*map, scene, ground, colours, image);
+    return Done{};
+  }
+  const Result<const technique::Pyramid*> base = pyramid(map, 0);
+  if (!base) return in_scene(base.diagnostics(), scene);
+  return technique::light(*programs_, **base, scene, ground, colours, image);
+}
+
+Result<Done> Engine::show(const Scene& scene, const Map& map, bool on_cpu, const technique::Ground& centres,
+                          image::Image& image) {
+  const Result<technique::Albedo> albedo = technique::load_albedo(scene.ground);
+  if (!albedo) return albedo.diagnostics();
+  const int samples = std::get<scene::ViewCamera>(scene.camera).samples;
+  if (samples == 1) return light(scene, map, on_cpu, centres, *albedo, image);
+  SampleMean mean(image.pixels());
+  for (int sample = 0; sample < samples; ++sample) {
+    const Result<technique::Ground> points = ground(scene, map, on_cpu, sample_offset(sample));
+    if (!points) return points.diagnostics();
+    Result<image::Image> seen = shadow(scene, map, on_cpu, *points);
+    if (!seen) return seen.diagnostics();
+    if (const Result<Done> lit = light(scene, map, on_cpu, *points, *albedo, *seen); !lit) return lit;
+    mean.add(*seen);
+  }
+  mean.store(image);
+  return Done{};
 }
 
 Result<Rendered> Engine::render(const Scene& scene) {
@@ -172,24 +230,34 @@ Result<Rendered> Engine::render(const Scene& scene) {
     // Its absence is an error even where the method could do without.
     if (const Result<const gl::Info*> info = gl_info(); !info) return info.diagnostics();
   }
-  Result<image::Image> image = on_cpu ? reference(scene, scene.shadow.q) : render_with_gl(scene, *map);
+  Result<technique::Ground> points = ground(scene, *map, on_cpu);
+  if (!points) return points.diagnostics();
+  Result<image::Image> image = shadow(scene, *map, on_cpu, *points);
   if (!image) return image.diagnostics();
+  if (std::get_if<scene::ViewCamera>(&scene.camera)) {
+    if (const Result<Done> shown = show(scene, *map, on_cpu, *points, *image); !shown)
+      return shown.diagnostics();
+  }
   if (on_cpu) image->attributes["gnomon:renderer"] = "double-precision oracle";
   image->attributes["gnomon:terrain_hash"] = technique::hash_floats((*map)->samples);
-  return Rendered{std::move(image).value(), *map, terrain_->notes};
+  return Rendered{std::move(image).value(), std::move(points).value(), *map, terrain_->notes};
 }
 
-Result<image::Image> Engine::reference(const Scene& scene, int level) {
+Result<image::Image> Engine::reference(const Scene& scene, const technique::Ground& ground,
+                                       std::optional<int> level) {
   const Result<std::shared_ptr<const HeightMap>> map = terrain(scene);
   if (!map) return map.diagnostics();
-  return technique::reference_image(scene, **map, level);
+  return technique::reference_image(scene, **map, ground, level);
 }
 
-image::Picture Engine::picture(const HeightMap& map, const Scene& scene, const std::vector<float>& k_shadow) {
-  const technique::MapView view = technique::map_view(scene.camera, map);
-  return image::hillshade(
-      heights_under(map, view), view.size.x, view.size.y, map.spacing_x * double{view.texels_per_pixel.x},
-      map.spacing_y * double{view.texels_per_pixel.y}, k_shadow, scene.sun.azimuth, scene.sun.elevation);
+image::Picture Engine::picture(const Rendered& rendered, const Scene& scene, const image::Image& image) {
+  if (image.channel("R")) return technique::lit_picture(image);
+  const HeightMap& map = *rendered.map;
+  const technique::Ground& ground = rendered.ground;
+  return image::hillshade(heights_under(map, ground), ground.size.x, ground.size.y,
+                          map.spacing_x * double{ground.texels_per_pixel.x},
+                          map.spacing_y * double{ground.texels_per_pixel.y}, image.channels.at("k_shadow"),
+                          scene.sun.azimuth, scene.sun.elevation);
 }
 
 }  // namespace gnomon

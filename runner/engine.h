@@ -3,6 +3,7 @@
 // scene.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,8 @@
 #include "gnomon/diagnostic.h"
 #include "image/image.h"
 #include "scene/scene.h"
+#include "technique/albedo.h"
+#include "technique/ground.h"
 #include "technique/program_cache.h"
 #include "technique/pyramid.h"
 #include "terrain/height_map.h"
@@ -37,6 +40,7 @@ struct EngineOptions {
 /// What a render shows and what it was made from.
 struct Rendered {
   image::Image image;
+  technique::Ground ground;  ///< the points that were asked
   std::shared_ptr<const terrain::HeightMap> map;
   std::vector<std::string> notes;  ///< what a user should know, such as an assumed spacing
 };
@@ -52,13 +56,13 @@ class Engine {
   /// renderer).
   [[nodiscard]] Result<Rendered> render(const scene::Scene& scene);
 
-  /// What the oracle answers for the scene from level `level`.
-  [[nodiscard]] Result<image::Image> reference(const scene::Scene& scene, int level);
+  /// What the oracle answers for the points of a render; from level `level`, or from each point's own.
+  [[nodiscard]] Result<image::Image> reference(const scene::Scene& scene, const technique::Ground& ground,
+                                               std::optional<int> level = {});
 
-  /// The relief under the scene's camera as a person would look at it, with the shadows `k_shadow` (a value a
-  /// pixel).
-  [[nodiscard]] static image::Picture picture(const terrain::HeightMap& map, const scene::Scene& scene,
-                                              const std::vector<float>& k_shadow);
+  /// The relief under the scene's camera as a person would look at it, with the shadows of `image`.
+  [[nodiscard]] static image::Picture picture(const Rendered& rendered, const scene::Scene& scene,
+                                              const image::Image& image);
 
   /// The context, made at its first use and current after each. Fails with kMachine where there is none as
   /// `backend` and `device` ask for.
@@ -76,19 +80,35 @@ class Engine {
     std::shared_ptr<const terrain::HeightMap> map;
     std::vector<std::string> notes;
   };
-  struct BuiltPyramid {
+  /// The levels that have been asked for, of one map.
+  struct BuiltPyramids {
     std::shared_ptr<const terrain::HeightMap> map;
-    technique::Pyramid pyramid;
+    std::map<int, technique::Pyramid> levels;
   };
+  using Map = std::shared_ptr<const terrain::HeightMap>;
 
-  [[nodiscard]] Result<image::Image> render_with_gl(const scene::Scene& scene,
-                                                    const std::shared_ptr<const terrain::HeightMap>& map);
+  /// The points that the scene's camera sees, its rays `offset` pixels beside the pixels' centres.
+  [[nodiscard]] Result<technique::Ground> ground(const scene::Scene& scene, const Map& map, bool on_cpu,
+                                                 glm::dvec2 offset = {});
+  /// The shadow of these points.
+  [[nodiscard]] Result<image::Image> shadow(const scene::Scene& scene, const Map& map, bool on_cpu,
+                                            const technique::Ground& ground);
+  /// Adds R, G and B.
+  [[nodiscard]] Result<Done> light(const scene::Scene& scene, const Map& map, bool on_cpu,
+                                   const technique::Ground& ground, const technique::Albedo& albedo,
+                                   image::Image& image);
+  /// What a perspective or orthographic camera adds to the shadow of its pixels' centres: the lit image, and
+  /// with several samples a pixel their means.
+  [[nodiscard]] Result<Done> show(const scene::Scene& scene, const Map& map, bool on_cpu,
+                                  const technique::Ground& centres, image::Image& image);
+  [[nodiscard]] Result<image::Image> render_with_gl(const scene::Scene& scene, const Map& map,
+                                                    const technique::Ground& ground);
 
   EngineOptions options_;
   std::optional<gl::Context> context_;  // outlives everything below
   std::optional<technique::ProgramCache> programs_;
   std::optional<LoadedTerrain> terrain_;
-  std::optional<BuiltPyramid> pyramid_;
+  BuiltPyramids pyramids_;
 };
 
 }  // namespace gnomon

@@ -11,8 +11,8 @@
 
 #include "gl/draw.h"
 #include "judge/judge.h"
+#include "technique/sun.h"
 #include "technique/surface.h"
-#include "technique/view.h"
 #include "terrain/level.h"
 #include "testing/engine_fixture.h"
 
@@ -43,10 +43,10 @@ struct Tally {
 void ask(Engine& engine, const scene::Scene& scene, Tally& tally) {
   const Result<Rendered> actual = engine.render(scene);
   ASSERT_TRUE(actual.ok()) << to_string(actual.diagnostics().front());
-  const Result<image::Image> reference = engine.reference(scene, scene.shadow.q);
+  const Result<image::Image> reference = engine.reference(scene, actual->ground);
   ASSERT_TRUE(reference.ok());
   const judge::Verdict verdict = judge::compare(actual->image, *reference, {.channels = {"b_shadow"}});
-  EXPECT_TRUE(verdict.passed) << scene.id << " q " << scene.shadow.q << " azimuth " << scene.sun.azimuth
+  EXPECT_TRUE(verdict.passed) << scene.id << " q " << *scene.shadow.q << " azimuth " << scene.sun.azimuth
                               << " elevation " << scene.sun.elevation << ": " << verdict.measured;
   tally.rays += verdict.compared + verdict.in_band;
   tally.mismatches += verdict.mismatches;
@@ -100,7 +100,7 @@ TEST(Multilevel, NoPixelDiffersFromTheOracleBetweenSamplesOfAnOddMap) {
   Tally tally;
   for (const std::string& map : kMaps) {
     scene::Scene scene = testing::scene_over(map, 333, 700);
-    scene.camera.size = {{250, 190}};
+    scene.camera = scene::MapCamera{.size = {{250, 190}}};
     scene.sun = {217.3, 7};
     ask(engine, scene, tally);
   }

@@ -100,9 +100,10 @@ class Host : public ::testing::TestWithParam<Case> {
     ASSERT_NE(with.program, nullptr);
     for (const scene::Sun& sun : {scene::Sun{45, 2}, {213.7, 5}, {315, 20}, {180, 35}}) {
       scene.sun = sun;
-      const auto actual = technique::render_shadow_with(with, pyramid, scene, stored.decoded);
+      const technique::Ground ground = technique::map_ground({}, scene.shadow, stored.decoded);
+      const auto actual = technique::render_shadow_with(with, pyramid, scene, ground);
       ASSERT_TRUE(actual.ok()) << to_string(actual.diagnostics().front());
-      const image::Image expected = technique::reference_image(scene, stored.decoded, 0);
+      const image::Image expected = technique::reference_image(scene, stored.decoded, ground);
       const judge::Verdict verdict = judge::compare(*actual, expected, {.channels = {"b_shadow"}});
       EXPECT_TRUE(verdict.passed) << "azimuth " << sun.azimuth << ", elevation " << sun.elevation << ": "
                                   << verdict.measured;

@@ -60,7 +60,7 @@ struct Gathered {
 
 Result<Done> ask_oracle(Engine& engine, const Scene& scene, Gathered& gathered) {
   if (gathered.reference) return Done{};
-  Result<image::Image> reference = engine.reference(scene, scene.shadow.q);
+  Result<image::Image> reference = engine.reference(scene, gathered.rendered.ground);
   if (!reference) return reference.diagnostics();
   gathered.reference = std::move(reference).value();
   return Done{};
@@ -73,7 +73,7 @@ Result<Done> gather_references(Engine& engine, const Scene& scene, Gathered& gat
     if (!wanted->level) {
       if (Result<Done> asked = ask_oracle(engine, scene, gathered); !asked) return asked;
     } else {
-      Result<image::Image> reference = engine.reference(scene, *wanted->level);
+      Result<image::Image> reference = engine.reference(scene, gathered.rendered.ground, *wanted->level);
       if (!reference) return reference.diagnostics();
       gathered.reference_at_level[*wanted->level] = std::move(reference).value();
     }
@@ -141,10 +141,9 @@ struct ResultFiles {
 
 Result<Done> write_pictures(const Scene& scene, const Gathered& gathered, const ResultFiles& files,
                             TestResult& result) {
-  const terrain::HeightMap& map = *gathered.rendered.map;
   const image::Image& actual = gathered.rendered.image;
   const auto picture = [&](const image::Image& image) {
-    return Engine::picture(map, scene, image.channels.at("k_shadow"));
+    return Engine::picture(gathered.rendered, scene, image);
   };
   result.actual_png = files("actual.png");
   if (Result<Done> done = image::write_png(result.actual_png, picture(actual)); !done) return done;

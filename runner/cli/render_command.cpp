@@ -33,7 +33,7 @@ Result<scene::Scene> scene_of_height_map(const RenderArguments& a) {
   if (a.size && (std::min((*a.size)[0], (*a.size)[1]) < 1 || std::max((*a.size)[0], (*a.size)[1]) > 16384)) {
     return Diagnostic{.file = "--size", .message = "each side has to be 1 to 16384 pixels"};
   }
-  scene.camera.size = a.size;
+  scene.camera = scene::MapCamera{.size = a.size};
   scene.shadow.method = a.method.value_or(scene.shadow.method);
   scene.shadow.q = a.q.value_or(0);
   scene.shadow.receiver_height = a.receiver_height.value_or(0.0);
@@ -75,8 +75,7 @@ Result<Done> write(const std::string& path, const Rendered& rendered, const scen
   const std::string extension = extension_of(path);
   if (extension == ".exr") return image::write_exr(path, rendered.image);
   if (extension == ".png") {
-    return image::write_png(path,
-                            Engine::picture(*rendered.map, scene, rendered.image.channels.at("k_shadow")));
+    return image::write_png(path, Engine::picture(rendered, scene, rendered.image));
   }
   return image::write_tiff(path, rendered.image, "b_shadow");
 }

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <limits>
 #include <numbers>
 
+#include "scene/build_camera.h"
+#include "scene/build_ground.h"
 #include "scene/suggest.h"
+#include "scene/values.h"
 #include "terrain/height_map.h"
 
 namespace gnomon::scene {
@@ -15,17 +16,6 @@ namespace {
 
 using json::child;
 using json::Value;
-
-int integer(const Value& value) {
-  const std::int64_t wide = std::get<std::int64_t>(value.data);
-  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
-  return static_cast<int>(
-      std::clamp(wide, -kMost, kMost));  // the schema's ranges are narrower, or checked later
-}
-
-std::array<int, 2> integer_pair(const Value& value) {
-  return {integer(value.array()[0]), integer(value.array()[1])};
-}
 
 void read_number(const Value& object, const char* key, double& number) {
   if (const Value* value = object.find(key)) number = value->number();
@@ -67,15 +57,9 @@ InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& 
 
 FileTerrain read_file(const Value& terrain, const BuildContext& context, std::string& below_root,
                       Report& report) {
-  const Value& file = *terrain.find("file");
-  const std::string folder = std::filesystem::path(context.file).parent_path().generic_string();
-  const Result<InsideFile> inside = resolve_inside(context.project, folder, file.text());
-  if (!inside) {
-    report.error(file.place, "/terrain/file", inside.diagnostics().front().message);
-    return {};
-  }
-  below_root = inside->below_root;
-  FileTerrain result{inside->path, std::nullopt};
+  const InsideFile inside = inside_file(*terrain.find("file"), "/terrain/file", context, report);
+  below_root = inside.below_root;
+  FileTerrain result{inside.path, std::nullopt};
   if (const Value* channel = terrain.find("channel")) result.channel = channel->text();
   return result;
 }
@@ -88,8 +72,8 @@ ProceduralTerrain read_procedural(const Value& terrain, const Vocabulary& vocabu
   for (const auto& [name, parameters] : vocabulary.kinds) kinds.push_back(name);
   check_name("kind of procedural map", result.kind, kinds, kind.place, "/terrain/procedural", report);
   if (const Value* size = terrain.find("size")) {
-    result.width = integer_pair(*size)[0];
-    result.height = integer_pair(*size)[1];
+    result.width = integer_pair_of(*size)[0];
+    result.height = integer_pair_of(*size)[1];
   }
   if (const Value* seed = terrain.find("seed")) {
     result.seed = static_cast<std::uint32_t>(std::get<std::int64_t>(seed->data));
@@ -162,7 +146,10 @@ Shadow read_shadow(const Value* value, const Vocabulary& vocabulary, Report& rep
     shadow.method = method->text();
     check_name("shadow method", shadow.method, vocabulary.methods, method->place, "/shadow/method", report);
   }
-  if (const Value* q = value->find("q")) shadow.q = integer(*q);
+  if (const Value* q = value->find("q")) {
+    shadow.q = q->get_if<std::string>() ? std::nullopt : std::optional(integer_of(*q));  // else "auto"
+  }
+  if (const Value* most = value->find("max_anisotropy")) shadow.max_anisotropy = integer_of(*most);
   read_number(*value, "k_dark", shadow.k_dark);
   read_number(*value, "k_bright", shadow.k_bright);
   read_number(*value, "receiver_height", shadow.receiver_height);
@@ -187,7 +174,7 @@ Expectation read_golden(const Value& value, const std::string& pointer, const Vo
 Expectation read_reference(const Value& value, const std::string& pointer, Report& report) {
   ReferenceExpectation reference;
   read_number(value, "max_mismatch", reference.max_mismatch);
-  if (const Value* level = value.find("level")) reference.level = integer(*level);
+  if (const Value* level = value.find("level")) reference.level = integer_of(*level);
   if (const Value* mismatch = value.find("mismatch")) {
     reference.mismatch = {mismatch->array()[0].number(), mismatch->array()[1].number()};
     if ((*reference.mismatch)[0] > (*reference.mismatch)[1]) {
@@ -204,7 +191,7 @@ Expectation read_reference(const Value& value, const std::string& pointer, Repor
 
 Expectation read_probe(const Value& value, const std::string& pointer, const Vocabulary& vocabulary,
                        Report& report) {
-  const std::array<int, 2> at = integer_pair(*value.find("at"));
+  const std::array<int, 2> at = integer_pair_of(*value.find("at"));
   ProbeExpectation probe{at[0], at[1], {}};
   for (const json::Member& member : value.object()) {
     if (member.key == "at") continue;
@@ -255,17 +242,24 @@ std::string canonical_json(const Scene& scene, const std::string& file_below_roo
   if (scene.terrain.spacing || has_default)
     terrain.set("spacing", pair(scene.terrain.spacing.value_or(std::array{1.0, 1.0})));
   terrain.set("vertical_scale", {scene.terrain.vertical_scale});
-  Value map{json::Object{}};
-  if (scene.camera.size) map.set("size", size((*scene.camera.size)[0], (*scene.camera.size)[1]));
-  return dump(
+  Value shadow = object({{"method", {scene.shadow.method}},
+                         {"k_dark", {scene.shadow.k_dark}},
+                         {"k_bright", {scene.shadow.k_bright}},
+                         {"receiver_height", {scene.shadow.receiver_height}}});
+  if (scene.shadow.q) {
+    shadow.set("q", {std::int64_t{*scene.shadow.q}});
+  } else {
+    shadow.set("q", {std::string("auto")});
+    shadow.set("max_anisotropy", {std::int64_t{scene.shadow.max_anisotropy}});
+  }
+  Value canonical =
       object({{"terrain", terrain},
               {"sun", object({{"azimuth", {scene.sun.azimuth}}, {"elevation", {scene.sun.elevation}}})},
-              {"camera", object({{"map", map}})},
-              {"shadow", object({{"method", {scene.shadow.method}},
-                                 {"q", {std::int64_t{scene.shadow.q}}},
-                                 {"k_dark", {scene.shadow.k_dark}},
-                                 {"k_bright", {scene.shadow.k_bright}},
-                                 {"receiver_height", {scene.shadow.receiver_height}}})}}));
+              {"camera", canonical_camera(scene.camera)},
+              {"shadow", shadow}});
+  // The map camera shows no ground: the section does not determine its image.
+  if (!std::get_if<MapCamera>(&scene.camera)) canonical.set("ground", canonical_ground(scene.ground));
+  return dump(canonical);
 }
 
 }  // namespace
@@ -279,10 +273,9 @@ Scene build_scene(const Value& root, const BuildContext& context, Report& report
     scene.terrain = read_terrain(*terrain, context, file_below_root, report);
   }
   scene.sun = read_sun(root.find("sun"), report);
-  const Value* camera = root.find("camera");
-  if (const Value* size = camera ? camera->find("map")->find("size") : nullptr)
-    scene.camera.size = integer_pair(*size);
+  scene.camera = read_camera(root.find("camera"), context, report);
   scene.shadow = read_shadow(root.find("shadow"), context.vocabulary, report);
+  scene.ground = read_ground(root.find("ground"), context, report);
   const Value* expect = root.find("expect");
   const bool is_list = expect && expect->get_if<json::Array>();  // else reported with the shape
   for (std::size_t i = 0; is_list && i < expect->array().size(); ++i) {
@@ -306,8 +299,8 @@ std::vector<SizeProblem> size_problems(const Scene& scene, std::array<int, 2> ma
                                      " does not exist; the coarsest level of a " + text(map_size) +
                                      " map is L = " + std::to_string(coarsest)});
   };
-  check_level(scene.shadow.q, "/shadow/q");
-  const std::array<int, 2> image = scene.camera.size.value_or(map_size);
+  if (scene.shadow.q) check_level(*scene.shadow.q, "/shadow/q");
+  const std::optional<std::array<int, 2>> image = image_size(scene.camera, map_size);
   for (std::size_t i = 0; i < scene.expect.size(); ++i) {
     const std::string pointer = child("/expect", i);
     if (const auto* reference = std::get_if<ReferenceExpectation>(&scene.expect[i]);
@@ -315,10 +308,10 @@ std::vector<SizeProblem> size_problems(const Scene& scene, std::array<int, 2> ma
       check_level(*reference->level, pointer + "/reference/level");
     }
     const auto* probe = std::get_if<ProbeExpectation>(&scene.expect[i]);
-    if (!probe || (probe->x < image[0] && probe->y < image[1])) continue;
+    if (!probe || !image || (probe->x < (*image)[0] && probe->y < (*image)[1])) continue;
     problems.push_back({pointer + "/probe/at", "the pixel [" + std::to_string(probe->x) + ", " +
                                                    std::to_string(probe->y) + "] lies outside the " +
-                                                   text(image) + " image (counted from 0)"});
+                                                   text(*image) + " image (counted from 0)"});
   }
   return problems;
 }

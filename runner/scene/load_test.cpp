@@ -20,7 +20,7 @@ TEST_F(Load, TheSmallestSceneTakesTheDefaults) {
   EXPECT_EQ(test.sun.azimuth, 315);
   EXPECT_EQ(test.sun.elevation, 45);
   EXPECT_EQ(test.shadow.method, "multilevel");
-  EXPECT_FALSE(test.camera.size);
+  EXPECT_FALSE(std::get<MapCamera>(test.camera).size);
   EXPECT_FALSE(test.terrain.spacing);
 }
 
@@ -41,7 +41,7 @@ TEST_F(Load, ReadsEveryKey) {
   EXPECT_EQ(test.terrain.spacing, (std::array{2.0, 3.0}));
   EXPECT_EQ(test.terrain.vertical_scale, 10);
   EXPECT_EQ(test.sun.azimuth, 270);
-  EXPECT_EQ(test.camera.size, (std::array{30, 20}));
+  EXPECT_EQ(std::get<MapCamera>(test.camera).size, (std::array{30, 20}));
   EXPECT_EQ(test.shadow.receiver_height, 50);
   const auto& golden = std::get<GoldenExpectation>(test.expect.at(0));
   EXPECT_EQ(golden.tolerance.at("k_shadow"), 0.1);

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -49,12 +50,55 @@ struct MapCamera {
   std::optional<std::array<int, 2>> size;  ///< width, height in pixels
 };
 
+/// A camera somewhere in the world; up is +z, or north where it looks straight up or down.
+struct ViewCamera {
+  enum class Projection { kPerspective, kOrthographic };
+  Projection projection = Projection::kPerspective;
+  std::array<double, 3> eye{};        ///< metres
+  std::array<double, 3> target{};     ///< metres, not the eye: the point in the middle of the image
+  double extent = 45.0;               ///< of the image from top to bottom: degrees (perspective) or metres
+  std::array<int, 2> size{640, 360};  ///< width, height in pixels
+  int samples = 1;                    ///< a pixel
+};
+
+/// Asks again at the channels `column` and `row` of another image.
+struct PointsCamera {
+  std::string path;        ///< ready to open
+  std::string below_root;  ///< of the project
+};
+
+using Camera = std::variant<MapCamera, ViewCamera, PointsCamera>;
+
 struct Shadow {
   std::string method = "multilevel";
-  int q = 0;
+  /// Level of detail; absent ("auto"): for each pixel by Algo 1 of the 2022 paper.
+  std::optional<int> q = 0;
+  int max_anisotropy =
+      16;  ///< of "auto": n_a_max, texels across a pixel's longer axis for each on the shorter
   double k_dark = 0.2;
   double k_bright = 0.6;
   double receiver_height = 0.0;  ///< metres above the surface of the level, >= 0
+};
+
+using Colour = std::array<double, 3>;  ///< linear red, green, blue, 0..1
+
+struct ConstantAlbedo {
+  Colour colour{0.45, 0.42, 0.36};
+};
+/// Laid over the whole map, row 0 in the north.
+struct ImageAlbedo {
+  std::string path;        ///< ready to open
+  std::string below_root;  ///< of the project
+};
+/// Between two heights linearly, beyond the outermost their colours.
+struct HeightAlbedo {
+  std::vector<std::pair<double, Colour>> colours;  ///< metres, rising
+};
+
+/// How cameras other than map show the ground.
+struct Ground {
+  std::variant<ConstantAlbedo, ImageAlbedo, HeightAlbedo> albedo;
+  double ambient = 0.15;  ///< share of the light that comes from everywhere
 };
 
 struct GoldenExpectation {
@@ -91,8 +135,9 @@ struct Scene {
   std::vector<std::string> overrides;
   Terrain terrain;
   Sun sun;
-  MapCamera camera;
+  Camera camera;
   Shadow shadow;
+  Ground ground;
   std::vector<Expectation> expect;
 };
 

@@ -3,58 +3,81 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "oracle/oracle.h"
+#include "technique/sun.h"
 #include "technique/surface.h"
-#include "technique/view.h"
 #include "terrain/level.h"
 
 namespace gnomon::technique {
 namespace {
-
-std::vector<oracle::Receiver> receivers_of(const MapView& view, int level, double height) {
-  std::vector<oracle::Receiver> receivers;
-  receivers.reserve(static_cast<std::size_t>(view.size.x) * static_cast<std::size_t>(view.size.y));
-  for (int y = 0; y < view.size.y; ++y) {
-    for (int x = 0; x < view.size.x; ++x) {
-      receivers.push_back(
-          {std::ldexp(double{view.column(x)}, -level), std::ldexp(double{view.row(y)}, -level), height});
-    }
-  }
-  return receivers;
-}
 
 /// Eq. 1 of the 2022 paper for a pixel in shadow, in double.
 double k_in_shadow(const scene::Shadow& shadow, double sun_height) {
   return shadow.k_dark + (shadow.k_bright - shadow.k_dark) * std::max(sun_height, 0.0);
 }
 
-}  // namespace
+/// Nothing is asked: lit, and no horizon ahead.
+image::Image empty_image(const Ground& ground) {
+  image::Image image{.width = ground.size.x, .height = ground.size.y, .channels = {}, .attributes = {}};
+  for (const char* name : {"b_shadow", "band", "steps"}) image.channels[name].resize(image.pixels());
+  image.channels["k_shadow"].assign(image.pixels(), 1.0F);
+  image.channels["horizon"].assign(image.pixels(), static_cast<float>(-std::numbers::pi / 2));
+  image.channels["valid"] = ground.valid;
+  image.channels["q"] = ground.q;
+  if (ground.depth.empty()) return image;
+  image.channels["column"] = ground.column;
+  image.channels["row"] = ground.row;
+  image.channels["depth"] = ground.depth;
+  return image;
+}
 
-image::Image reference_image(const scene::Scene& scene, const terrain::HeightMap& base, int level) {
+/// The pixels that ask for one level, and the points that they ask for.
+struct Asked {
+  std::vector<std::size_t> pixels;
+  std::vector<oracle::Receiver> receivers;
+};
+
+Asked asked_of(const Ground& ground, int q, int level, double height) {
+  Asked asked;
+  for (std::size_t i = 0; i < ground.pixels(); ++i) {
+    if (ground.valid[i] == 0 || static_cast<int>(ground.q[i]) != q) continue;
+    asked.pixels.push_back(i);
+    asked.receivers.push_back(
+        {std::ldexp(double{ground.column[i]}, -level), std::ldexp(double{ground.row[i]}, -level), height});
+  }
+  return asked;
+}
+
+/// Answers the pixels that ask for level q, from level `level`.
+void answer(const scene::Scene& scene, const terrain::HeightMap& base, const Ground& ground, int q, int level,
+            image::Image& image) {
   const terrain::HeightMap map = terrain::level(base, level);
   const oracle::Surface surface = surface_of(map);
-  const MapView view = map_view(scene.camera, base);
-  const std::vector<double> horizon =
-      oracle::horizons(surface, receivers_of(view, level, scene.shadow.receiver_height),
-                       oracle::ground_direction(scene.sun.azimuth));
-  const double band = oracle::band_width(level == 0 && view.on_samples(), scene.shadow.receiver_height,
+  const Asked asked = asked_of(ground, q, level, scene.shadow.receiver_height);
+  const std::vector<double> horizons =
+      oracle::horizons(surface, asked.receivers, oracle::ground_direction(scene.sun.azimuth));
+  const double band = oracle::band_width(level == 0 && ground.on_samples(), scene.shadow.receiver_height,
                                          oracle::steepest_slope(surface));
   const auto k_shadow = static_cast<float>(k_in_shadow(scene.shadow, to_sun(scene.sun).z));
-
-  image::Image image{.width = view.size.x, .height = view.size.y, .channels = {}, .attributes = {}};
-  for (const char* name : {"b_shadow", "k_shadow", "horizon", "band"})
-    image.channels[name].reserve(horizon.size());
-  for (const double angle : horizon) {
-    const bool shadow = oracle::in_shadow(angle, scene.sun.elevation);
-    image.channels["b_shadow"].push_back(shadow ? 1.0F : 0.0F);
-    image.channels["k_shadow"].push_back(shadow ? k_shadow : 1.0F);
-    image.channels["horizon"].push_back(static_cast<float>(angle));
-    image.channels["band"].push_back(oracle::in_band(angle, scene.sun.elevation, band) ? 1.0F : 0.0F);
+  for (std::size_t i = 0; i < horizons.size(); ++i) {
+    const std::size_t pixel = asked.pixels[i];
+    const bool shadow = oracle::in_shadow(horizons[i], scene.sun.elevation);
+    const bool in_band = oracle::in_band(horizons[i], scene.sun.elevation, band);
+    image.channels["b_shadow"][pixel] = shadow ? 1.0F : 0.0F;
+    image.channels["k_shadow"][pixel] = shadow ? k_shadow : 1.0F;
+    image.channels["horizon"][pixel] = static_cast<float>(horizons[i]);
+    image.channels["band"][pixel] = in_band ? 1.0F : 0.0F;
   }
-  image.channels["q"].assign(horizon.size(), static_cast<float>(level));
-  image.channels["steps"].assign(horizon.size(), 0.0F);
-  image.channels["valid"].assign(horizon.size(), 1.0F);
+}
+
+}  // namespace
+
+image::Image reference_image(const scene::Scene& scene, const terrain::HeightMap& base, const Ground& ground,
+                             std::optional<int> level) {
+  image::Image image = empty_image(ground);
+  for (const int q : ground.levels()) answer(scene, base, ground, q, level.value_or(q), image);
   return image;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Renders a scene's shadow with a shader method.
+// Renders the shadow of a scene's points with a shader method.
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,11 +11,14 @@
 #include "gnomon/diagnostic.h"
 #include "image/image.h"
 #include "scene/scene.h"
+#include "technique/ground.h"
 #include "technique/program_cache.h"
 #include "technique/pyramid.h"
-#include "terrain/height_map.h"
 
 namespace gnomon::technique {
+
+/// By their level q.
+using Pyramids = std::map<int, const Pyramid*>;
 
 /// A program that ends in programs/shadow_pass.glsl, and what its host functions read.
 struct ShadowProgram {
@@ -24,18 +28,18 @@ struct ShadowProgram {
   std::vector<std::pair<std::string, gl::Uniform>> uniforms{};
 };
 
-/// Draws the scene's view with the scene's method from a pyramid of level scene.shadow.q. Channels b_shadow,
-/// k_shadow, q, steps, valid. Fails (kFailed) if a ray reached its step bound, naming the first such pixel.
-/// `draw_seconds`, where given, takes the sum of the draws' times, without reading back.
-[[nodiscard]] Result<image::Image> render_shadow(ProgramCache& programs, const Pyramid& pyramid,
-                                                 const scene::Scene& scene, const terrain::HeightMap& base,
+/// Asks the scene's method for the shadow of every point of `ground`, from the pyramids of the levels that it
+/// asks for. Channels b_shadow, k_shadow, q, steps, valid and, but for the map camera, column, row, depth.
+/// Fails (kFailed) if a ray reached its step bound, naming the first such pixel. `draw_seconds`, where given,
+/// takes the sum of the draws' times, without reading back.
+[[nodiscard]] Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyramids,
+                                                 const scene::Scene& scene, const Ground& ground,
                                                  double* draw_seconds = nullptr);
 
-/// The same with a program of the caller's, whatever encoding its host functions read; `pyramid` tells the
-/// numbers of the map.
+/// The same from one pyramid with a program of the caller's, whatever encoding its host functions read;
+/// `pyramid` tells the numbers of the map.
 [[nodiscard]] Result<image::Image> render_shadow_with(const ShadowProgram& with, const Pyramid& pyramid,
-                                                      const scene::Scene& scene,
-                                                      const terrain::HeightMap& base,
+                                                      const scene::Scene& scene, const Ground& ground,
                                                       double* draw_seconds = nullptr);
 
 }  // namespace gnomon::technique

@@ -1,41 +1,39 @@
 // SPDX-License-Identifier: MIT
-// What every hard-shadow program shares: its inputs, the map camera, and the channels it writes.
+// What every hard-shadow program shares: its inputs, the points that it is asked for, and the channels it writes.
 #ifndef GNOMON_PROGRAMS_SHADOW_PASS_GLSL
 #define GNOMON_PROGRAMS_SHADOW_PASS_GLSL
 
-#include <gnomon/core/map.glsl>
+#include "map_pass.glsl"
 #include <gnomon/core/shadow.glsl>
 #include <gnomon/relief/shade.glsl>
 
-uniform ivec2 u_map_size;         // samples of H_q
-uniform vec2 u_map_domain;        // texels of H_q
-uniform vec2 u_map_spacing;       // metres a texel of H_q
-uniform float u_map_highest;      // metres
-uniform int u_map_top_level;      // coarsest level of block maxima
-uniform vec2 u_texels_per_pixel;  // of H_q
+uniform vec2 u_texels_per_pixel;  // of the base map, map camera; 0 where u_ground tells the points
+uniform sampler2D u_ground;       // a texel a pixel of the tile: column, row (texels of the base map), valid, q
+uniform float u_level_scale;      // texels of H_q in one of the base map: 2^-q
 uniform float u_receiver_height;  // metres above H_q
 uniform vec3 u_to_sun;            // unit vector, x east, y north, z up
 uniform vec2 u_k;                 // k_dark, k_bright
-uniform int u_q;
-uniform int u_step_limit;
-uniform vec2 u_first_pixel;      // of the tile that is drawn
 
 // b_shadow, k_shadow, steps, cause (GNOMON_CAUSE_...)
 layout(location = 0) out vec4 o_shadow;
 
-GnomonMap pass_map() {
-  GnomonMap map;
-  map.size = u_map_size;
-  map.domain = u_map_domain;
-  map.spacing = u_map_spacing;
-  map.highest = u_map_highest;
-  map.top_level = u_map_top_level;
-  return map;
+// Column, row, valid and q of the pixel. The map camera's pixel (x, y) looks at s = (x + 0.5) / width,
+// t = (y + 0.5) / height of the map, row 0 in the north.
+vec4 pass_ground() {
+  if (u_texels_per_pixel.x > 0.0) {
+    return vec4((gl_FragCoord.xy + u_first_pixel) * u_texels_per_pixel, 1.0, float(u_q));
+  }
+  return texelFetch(u_ground, ivec2(gl_FragCoord.xy), 0);
 }
 
-// Pixel (x, y) looks at s = (x + 0.5) / width, t = (y + 0.5) / height of the map, row 0 in the north.
+// Whether this draw answers for the pixel: there is ground in it, and its level is the one that is bound.
+bool pass_asks() {
+  vec4 ground = pass_ground();
+  return ground.z != 0.0 && int(ground.w) == u_q;
+}
+
 GnomonReceiver pass_receiver() {
-  vec2 at = (gl_FragCoord.xy + u_first_pixel) * u_texels_per_pixel;
+  vec2 at = pass_ground().xy * u_level_scale;
   return gnomon_receiver_at(at.x, at.y, u_receiver_height);
 }
 

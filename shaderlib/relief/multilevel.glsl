@@ -7,13 +7,7 @@
 #define GNOMON_RELIEF_MULTILEVEL_GLSL
 
 #include <gnomon/core/near_walk.glsl>
-
-// The level to go on with: one coarser where the parent block changed, which is much quicker than beginning again at the
-// coarsest.
-int gnomon_climb(ivec2 left, ivec2 entered, int level, int top_level) {
-  ivec2 changed = (left >> (level + 1)) ^ (entered >> (level + 1));
-  return (changed.x | changed.y) != 0 ? min(level + 1, top_level) : level;
-}
+#include <gnomon/relief/climb.glsl>
 
 // Whether the receiver is hidden from the sun. to_sun: unit vector, x east, y north, z up. step_limit: blocks and
 // patches that may be visited, 8 * (width + height) always suffices; a ray that reaches it stays undecided.

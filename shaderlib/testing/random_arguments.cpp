@@ -123,6 +123,17 @@ vec3 RandomArguments::sun_at_horizon(const Modules::GnomonMap& map, const Module
   return chance(0.5F) ? shadow : lit;
 }
 
+RandomArguments::View RandomArguments::view(const Modules::GnomonMap& map) {
+  const vec3 extent(map.domain * map.spacing, map.highest);
+  const auto near_map = [&] {
+    return extent * vec3(between(0, 1), between(0, 1), chance(0.9F) ? between(0, 1.5F) : between(-1, 0));
+  };
+  const vec3 origin = near_map() + extent.x * vec3(between(-1, 1), between(-1, 1), between(0, 1));
+  if (chance(0.05F)) return {origin, vec3(0, 0, chance(0.8F) ? -1 : 1)};
+  const vec3 direction = near_map() - origin;
+  return {origin, chance(0.5F) ? normalize(direction) : direction};
+}
+
 RandomArguments::Place RandomArguments::place(int top_level) {
   Place at{.ray = ray(), .cursor = {}, .low = {}, .level = whole(0, top_level), .exits = {}};
   const float t = chance(0.2F) ? 0.0F : between(0, at.ray.t_end);

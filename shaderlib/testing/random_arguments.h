@@ -46,6 +46,13 @@ class RandomArguments {
   /// Between the last float that is in shadow and the first that is lit.
   vec3 sun_at_horizon(const Modules::GnomonMap& map, const Modules::GnomonReceiver& receiver);
 
+  /// Where a view ray of the map begins, and its direction: from all around it, down on it, under it.
+  struct View {
+    vec3 origin;     ///< metres
+    vec3 direction;  ///< of any length
+  };
+  View view(const Modules::GnomonMap& map);
+
   /// A ray and a block of 2^level x 2^level patches that it crosses.
   struct Place {
     Modules::GnomonRay ray;

@@ -66,6 +66,18 @@ void visit_members(Modules::GnomonShadow& shadow, V&& visit) {
   visit("steps", shadow.steps);
   visit("cause", shadow.cause);
 }
+template <class V>
+void visit_members(Modules::GnomonSpan& span, V&& visit) {
+  visit("first", span.first);
+  visit("last", span.last);
+}
+template <class V>
+void visit_members(Modules::GnomonHit& hit, V&& visit) {
+  visit("at", hit.at);
+  visit("depth", hit.depth);
+  visit("steps", hit.steps);
+  visit("cause", hit.cause);
+}
 template <glm::length_t N, class T, class V>
 void visit_members(glm::vec<N, T>& vector, V&& visit) {
   constexpr const char* kNames[] = {"x", "y", "z", "w"};
@@ -91,6 +103,8 @@ template <class T>
   if constexpr (std::same_as<T, Modules::GnomonCrossing>) return "GnomonCrossing";
   if constexpr (std::same_as<T, Modules::GnomonCursor>) return "GnomonCursor";
   if constexpr (std::same_as<T, Modules::GnomonShadow>) return "GnomonShadow";
+  if constexpr (std::same_as<T, Modules::GnomonSpan>) return "GnomonSpan";
+  if constexpr (std::same_as<T, Modules::GnomonHit>) return "GnomonHit";
 }
 
 /// Calls visit(scalar&) for every scalar of a value.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "technique/view.h"
+#include "technique/sun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,13 +21,6 @@ glm::vec3 to_sun_single(const scene::Sun& sun) {
   glm::vec3 direction(to_sun(sun));
   if (sun.elevation > 0) direction.z = std::max(direction.z, kSmallestHeight);
   return direction;
-}
-
-MapView map_view(const scene::MapCamera& camera, const terrain::HeightMap& map) {
-  const glm::ivec2 size =
-      camera.size ? glm::ivec2((*camera.size)[0], (*camera.size)[1]) : glm::ivec2(map.width, map.height);
-  const glm::dvec2 ratio = glm::dvec2(map.width, map.height) / glm::dvec2(size);
-  return {size, glm::vec2(ratio)};
 }
 
 }  // namespace gnomon::technique

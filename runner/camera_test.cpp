@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// What perspective and orthographic cameras see, held against the oracle's rays; and that the shadow of what
+// they see does not depend on them.
+#include "technique/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <iostream>
+
+#include "judge/judge.h"
+#include "oracle/oracle.h"
+#include "oracle/view_ray.h"
+#include "technique/surface.h"
+#include "testing/engine_fixture.h"
+
+namespace gnomon {
+namespace {
+
+using scene::ViewCamera;
+using Point = std::array<double, 3>;
+
+struct Seen {
+  const char* name;
+  const char* map;
+  ViewCamera camera;
+};
+
+ViewCamera perspective(Point eye, Point target, double fov, std::array<int, 2> size) {
+  return {.projection = ViewCamera::Projection::kPerspective,
+          .eye = eye,
+          .target = target,
+          .extent = fov,
+          .size = size};
+}
+
+ViewCamera orthographic(Point eye, Point target, double height, std::array<int, 2> size) {
+  return {.projection = ViewCamera::Projection::kOrthographic,
+          .eye = eye,
+          .target = target,
+          .extent = height,
+          .size = size};
+}
+
+/// Maps of 333 x 200 samples, 10 m apart.
+std::vector<Seen> views() {
+  return {
+      {"from above", "fractal", perspective({1600, 900, 4000}, {1700, 1100, 0}, 40, {480, 300})},
+      {"straight down", "fractal", perspective({1600, 900, 3000}, {1600, 900, 0}, 40, {320, 200})},
+      {"grazing", "fractal", perspective({-400, 900, 700}, {3000, 1000, 300}, 30, {480, 200})},
+      {"100 km away", "fractal", perspective({-90000, -40000, 9000}, {1660, 1000, 200}, 1.5, {480, 300})},
+      {"gorge", "gorge", perspective({1650, 1000, 400}, {2600, 1300, 100}, 60, {480, 300})},
+      {"oblique parallel", "gorge", orthographic({4000, -3000, 3000}, {1660, 1000, 0}, 2400, {480, 300})},
+      {"parallel straight down", "steps", orthographic({1660, 1000, 900}, {1660, 1000, 0}, 1900, {333, 190})},
+      {"spikes", "spikes", perspective({300, -800, 600}, {1700, 1000, 100}, 45, {480, 300})},
+      {"upward", "fractal", perspective({1660, -200, 50}, {1660, 1000, 600}, 50, {320, 200})},
+      {"real", "real", perspective({12000, -9000, 9000}, {12900, 18000, 300}, 45, {480, 300})},
+  };
+}
+
+scene::Scene scene_of(const Seen& seen) {
+  scene::Scene scene = testing::scene_over(seen.map, 333, 200);
+  scene.camera = seen.camera;
+  scene.sun = {301.3, 11};
+  return scene;
+}
+
+oracle::ViewRay oracle_ray(const technique::ViewRay& ray) {
+  return {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}};
+}
+
+/// Metres along the double-precision ray through a point of the image, or nothing for sky.
+std::optional<double> true_depth(const oracle::ViewTracer& tracer, const technique::CameraRays& rays,
+                                 glm::dvec2 at) {
+  const technique::ViewRay ray = rays.ray(at);
+  const auto hit = tracer.first_hit(oracle_ray(ray));
+  if (!hit) return std::nullopt;
+  return *hit * glm::length(ray.direction);
+}
+
+struct Tally {
+  long hits = 0, unsteady = 0, wrong = 0;
+  double worst_pixel = 0, worst_depth = 0;
+};
+
+/// How much nearer or farther than `depth` the surface may be.
+double depth_slack(double depth, const terrain::HeightMap& map) {
+  return 1e-3 * depth + std::max(map.spacing_x, map.spacing_y);
+}
+
+/// Whether what lies at the pixel's centre changes when the ray moves by 1/50 pixel.
+bool is_unsteady(const oracle::ViewTracer& tracer, const technique::CameraRays& rays, glm::dvec2 centre,
+                 const std::optional<double>& depth, double slack) {
+  for (const glm::dvec2 step : {glm::dvec2(0.02, 0), {-0.02, 0}, {0, 0.02}, {0, -0.02}}) {
+    const auto moved = true_depth(tracer, rays, centre + step);
+    if (moved.has_value() != depth.has_value()) return true;
+    if (moved && std::abs(*moved - *depth) > slack) return true;
+  }
+  return false;
+}
+
+void check_pixel(const Rendered& rendered, const oracle::ViewTracer& tracer,
+                 const technique::CameraRays& rays, int x, int y, Tally& tally) {
+  const terrain::HeightMap& map = *rendered.map;
+  const technique::Ground& ground = rendered.ground;
+  const oracle::Surface surface = technique::surface_of(map);
+  const std::size_t i = std::size_t(y) * std::size_t(ground.size.x) + std::size_t(x);
+  const glm::dvec2 centre(x + 0.5, y + 0.5);
+  const auto depth = true_depth(tracer, rays, centre);
+  const double slack = depth_slack(depth.value_or(0), map);
+  if (is_unsteady(tracer, rays, centre, depth, slack)) {
+    ++tally.unsteady;
+    return;
+  }
+  if ((ground.valid[i] != 0) != depth.has_value()) {
+    ++tally.wrong;
+    return;
+  }
+  if (!depth) return;
+  ++tally.hits;
+  const double column = ground.column[i];
+  const double row = ground.row[i];
+  const glm::dvec3 point(column * map.spacing_x, (map.domain_height - row) * map.spacing_y,
+                         oracle::surface_height(surface, column, row));
+  const double off = glm::length(rays.project(point) - centre);
+  const double nearer = std::abs(double{ground.depth[i]} - *depth);
+  tally.worst_pixel = std::max(tally.worst_pixel, off);
+  tally.worst_depth = std::max(tally.worst_depth, nearer / slack);
+  if (off > 0.02 || nearer > slack) ++tally.wrong;
+}
+
+class Camera : public ::testing::TestWithParam<Seen> {};
+
+TEST_P(Camera, HitsTheSurfaceThatTheDoublePrecisionRayMeets) {
+  Engine engine = testing::make_engine();
+  const scene::Scene scene = scene_of(GetParam());
+  const Result<Rendered> rendered = engine.render(scene);
+  ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+  const technique::CameraRays rays = technique::camera_rays(GetParam().camera);
+  const oracle::Surface surface = technique::surface_of(*rendered->map);
+  const oracle::ViewTracer tracer(surface);
+  Tally tally;
+  // Five rays in double precision a pixel: every seventh pixel, which no pattern of the view follows.
+  const int pixels = static_cast<int>(rendered->ground.pixels());
+  for (int i = 0; i < pixels; i += 7)
+    check_pixel(*rendered, tracer, rays, i % rendered->ground.size.x, i / rendered->ground.size.x, tally);
+  std::cout << GetParam().name << ": " << tally.hits << " hits, " << tally.unsteady
+            << " that jump within 1/50 pixel, " << tally.wrong << " wrong; at most " << tally.worst_pixel
+            << " pixel and " << tally.worst_depth << " of the depth's slack off\n";
+  EXPECT_EQ(tally.wrong, 0);
+  EXPECT_GT(tally.hits, 1500);
+  EXPECT_LT(tally.unsteady, tally.hits / 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Camera, ::testing::ValuesIn(views()), [](const auto& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});
+
+TEST(Cameras, NoPixelDiffersFromTheOracleAtItsOwnColumnAndRow) {
+  Engine engine = testing::make_engine();
+  double compared = 0;
+  double mismatches = 0;
+  double shadowed = 0;
+  for (const Seen& seen : views()) {
+    scene::Scene scene = scene_of(seen);
+    for (const int q : {0, 1, 3}) {
+      scene.shadow.q = q;
+      const Result<Rendered> rendered = engine.render(scene);
+      ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+      const Result<image::Image> reference = engine.reference(scene, rendered->ground);
+      ASSERT_TRUE(reference.ok());
+      const judge::Verdict verdict =
+          judge::compare(rendered->image, *reference, {.channels = {"b_shadow", "valid"}});
+      EXPECT_TRUE(verdict.passed) << seen.name << " q " << q << ": " << verdict.measured;
+      compared += verdict.compared;
+      mismatches += verdict.mismatches;
+      for (const float b : rendered->image.channels.at("b_shadow")) shadowed += double{b};
+    }
+  }
+  std::cout << "cameras: " << compared << " pixels, " << mismatches << " differ, " << shadowed
+            << " in shadow\n";
+  EXPECT_GT(compared, 1e6);
+  EXPECT_GT(shadowed, 0.1 * compared);
+  EXPECT_LT(shadowed, 0.9 * compared);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "scene/values.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+namespace gnomon::scene {
+
+int integer_of(const json::Value& value) {
+  const std::int64_t wide = std::get<std::int64_t>(value.data);
+  constexpr std::int64_t kMost = std::numeric_limits<int>::max();
+  return static_cast<int>(
+      std::clamp(wide, -kMost, kMost));  // the schema's ranges are narrower, or checked later
+}
+
+std::array<int, 2> integer_pair_of(const json::Value& value) {
+  return {integer_of(value.array()[0]), integer_of(value.array()[1])};
+}
+
+InsideFile inside_file(const json::Value& name, const std::string& pointer, const BuildContext& context,
+                       Report& report) {
+  const std::string folder = std::filesystem::path(context.file).parent_path().generic_string();
+  const Result<InsideFile> inside = resolve_inside(context.project, folder, name.text());
+  if (inside) return *inside;
+  report.error(name.place, pointer, inside.diagnostics().front().message);
+  return {};
+}
+
+}  // namespace gnomon::scene

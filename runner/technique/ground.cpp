@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "technique/ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "oracle/view_ray.h"
+#include "technique/camera.h"
+#include "technique/surface.h"
+
+namespace gnomon::technique {
+namespace {
+
+int coarsest_level(const terrain::HeightMap& map) {
+  int level = 0;
+  while ((1 << level) < std::max(map.width, map.height)) ++level;
+  return level;
+}
+
+/// The first pixel that cannot be asked, and why.
+std::optional<std::string> wrong_point(const Ground& ground, const terrain::HeightMap& map) {
+  const int coarsest = coarsest_level(map);
+  for (std::size_t i = 0; i < ground.pixels(); ++i) {
+    if (ground.valid[i] == 0) continue;
+    const auto width = static_cast<std::size_t>(ground.size.x);
+    const std::string pixel = "pixel (" + std::to_string(i % width) + ", " + std::to_string(i / width) + ")";
+    const bool inside = ground.column[i] >= 0 && ground.column[i] <= static_cast<float>(map.width) &&
+                        ground.row[i] >= 0 && ground.row[i] <= static_cast<float>(map.height);
+    if (!inside) {
+      return pixel + " asks for column " + std::to_string(ground.column[i]) + ", row " +
+             std::to_string(ground.row[i]) + ", which lies outside of the " + std::to_string(map.width) +
+             "x" + std::to_string(map.height) + " map";
+    }
+    const float q = ground.q[i];
+    if (!(q >= 0 && q <= static_cast<float>(coarsest)) || q != std::floor(q)) {
+      return pixel + " asks for level " + std::to_string(q) + "; this map has the levels 0 to " +
+             std::to_string(coarsest);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::set<int> Ground::levels() const {
+  std::set<int> levels;
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    if (valid[i] != 0) levels.insert(static_cast<int>(q[i]));
+  }
+  return levels;
+}
+
+Ground empty_ground(glm::ivec2 size, const scene::Shadow& shadow) {
+  Ground ground{.size = size};
+  const auto pixels = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+  ground.column.resize(pixels);
+  ground.row.resize(pixels);
+  ground.valid.resize(pixels);
+  ground.q.assign(pixels, static_cast<float>(shadow.q.value_or(0)));
+  return ground;
+}
+
+Ground map_ground(const scene::MapCamera& camera, const scene::Shadow& shadow,
+                  const terrain::HeightMap& map) {
+  const glm::ivec2 size =
+      camera.size ? glm::ivec2((*camera.size)[0], (*camera.size)[1]) : glm::ivec2(map.width, map.height);
+  Ground ground = empty_ground(size, shadow);
+  ground.texels_per_pixel = glm::vec2(glm::dvec2(map.width, map.height) / glm::dvec2(size));
+  ground.valid.assign(ground.pixels(), 1.0F);
+  std::size_t i = 0;
+  for (int y = 0; y < size.y; ++y) {
+    for (int x = 0; x < size.x; ++x, ++i) {
+      // The very product that programs/shadow_pass.glsl forms.
+      ground.column[i] = (static_cast<float>(x) + 0.5F) * ground.texels_per_pixel.x;
+      ground.row[i] = (static_cast<float>(y) + 0.5F) * ground.texels_per_pixel.y;
+    }
+  }
+  return ground;
+}
+
+Result<Ground> points_ground(const image::Image& image, const std::string& file, const scene::Shadow& shadow,
+                             const terrain::HeightMap& map) {
+  for (const char* needed : {"column", "row", "q"}) {
+    const bool is_needed = std::string_view(needed) != "q" || !shadow.q;
+    if (is_needed && !image.channel(needed)) {
+      return Diagnostic{
+          .file = file,
+          .message = std::string("has no channel '") + needed +
+                     "'; expected an EXR that gnomon rendered with a perspective or orthographic "
+                     "camera"};
+    }
+  }
+  Ground ground = empty_ground({image.width, image.height}, shadow);
+  ground.column = *image.channel("column");
+  ground.row = *image.channel("row");
+  ground.valid.assign(ground.pixels(), 1.0F);
+  if (const std::vector<float>* valid = image.channel("valid")) ground.valid = *valid;
+  if (!shadow.q) ground.q = *image.channel("q");
+  const std::vector<float>* depth = image.channel("depth");
+  ground.depth = depth ? *depth : std::vector<float>(ground.pixels());
+  if (const auto wrong = wrong_point(ground, map)) return Diagnostic{.file = file, .message = *wrong};
+  return ground;
+}
+
+Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& camera,
+                        const scene::Shadow& shadow, glm::dvec2 offset) {
+  const CameraRays rays = camera_rays(camera);
+  const oracle::Surface surface = surface_of(map);
+  const oracle::ViewTracer tracer(surface);
+  Ground ground = empty_ground({camera.size[0], camera.size[1]}, shadow);
+  ground.depth.resize(ground.pixels());
+  std::size_t i = 0;
+  for (int y = 0; y < ground.size.y; ++y) {
+    for (int x = 0; x < ground.size.x; ++x, ++i) {
+      const auto [origin, direction] = rays.ray(glm::dvec2(x + 0.5, y + 0.5) + offset);
+      const auto hit =
+          tracer.first_hit({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}});
+      if (!hit) continue;
+      const glm::dvec3 at = origin + *hit * direction;
+      ground.valid[i] = 1;
+      ground.depth[i] = static_cast<float>(*hit * glm::length(direction));
+      ground.column[i] = static_cast<float>(std::clamp(at.x / map.spacing_x, 0.0, map.domain_width));
+      ground.row[i] =
+          static_cast<float>(std::clamp(map.domain_height - at.y / map.spacing_y, 0.0, map.domain_height));
+    }
+  }
+  return ground;
+}
+
+}  // namespace gnomon::technique

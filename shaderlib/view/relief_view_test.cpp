@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// View rays as C++, against the oracle's rays in double precision.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "oracle/view_ray.h"
+#include "technique/surface.h"
+#include "terrain/procedural.h"
+#include "testing/map_modules.h"
+
+namespace gnomon::modules {
+namespace {
+
+const MapModules kFlat(flat_map(8, 8));  // 5 m high, 1 m apart
+
+Modules::GnomonHit look(const MapModules& modules, vec3 origin, vec3 direction) {
+  return modules.gnomon_relief_view(modules.map(), origin, direction, 0, modules.step_limit());
+}
+
+TEST(CutSpan, KeepsWhatLiesBetweenAndNothingOfARayBesideIt) {
+  const Modules::GnomonSpan all{0, GNOMON_NEVER};
+  const auto span = kFlat.gnomon_cut_span(all, -2, 0.5F, 0, 8);
+  EXPECT_EQ(span.first, 4);
+  EXPECT_EQ(span.last, 20);
+  const auto back = kFlat.gnomon_cut_span(all, 9, -1, 0, 8);
+  EXPECT_EQ(back.first, 1);
+  EXPECT_EQ(back.last, 9);
+  const auto beside = kFlat.gnomon_cut_span(all, 9, 0, 0, 8);
+  EXPECT_GT(beside.first, beside.last);
+}
+
+TEST(Hit, HoldsWhatItIsGiven) {
+  const auto hit = kFlat.gnomon_hit(vec2(1, 2), 3, 4, GNOMON_VIEW_SKY);
+  EXPECT_EQ(hit.at, vec2(1, 2));
+  EXPECT_EQ(hit.depth, 3);
+  EXPECT_EQ(hit.steps, 4);
+  EXPECT_EQ(hit.cause, GNOMON_VIEW_SKY);
+}
+
+TEST(DiveRoot, IsTheRootAtWhichTheClearanceGrows) {
+  // -3 + 2 s + s^2 = (s + 3)(s - 1)
+  EXPECT_FLOAT_EQ(kFlat.gnomon_dive_root({.slope = 2, .curvature = 1, .above = 0}, -3, 4), 1);
+  // -3 + 4 s - s^2 = -(s - 1)(s - 3)
+  EXPECT_FLOAT_EQ(kFlat.gnomon_dive_root({.slope = 4, .curvature = -1, .above = 0}, -3, 2), 1);
+}
+
+TEST(Dive, ClosesTheGapOfRoundingButIsNotSeenFromBelow) {
+  const Modules::GnomonCrossing rising{.slope = 1, .curvature = 0, .above = 0};
+  EXPECT_EQ(kFlat.gnomon_dive(rising, 1e-6F, 1, true), 0) << "it was above when it left the patch before";
+  EXPECT_EQ(kFlat.gnomon_dive(rising, 1e-6F, 1, false), GNOMON_NEVER);
+  EXPECT_FLOAT_EQ(kFlat.gnomon_dive(rising, -0.25F, 1, true), 0.25F);
+  EXPECT_EQ(kFlat.gnomon_dive(rising, -2, 1, true), GNOMON_NEVER);
+  // 2 - 3 s + s^2 = (s - 1)(s - 2): up through the surface at 1, under it again at 2.
+  EXPECT_FLOAT_EQ(kFlat.gnomon_dive({.slope = -3, .curvature = 1, .above = 0}, 2, 3, false), 2);
+  EXPECT_EQ(kFlat.gnomon_dive({.slope = -3, .curvature = 1, .above = 0}, 2, 1.5F, false), GNOMON_NEVER);
+}
+
+TEST(ReliefView, SeesAFlatMapWhereItStands) {
+  const auto down = look(kFlat, vec3(3.25F, 6, 9), vec3(0, 0, -2));
+  EXPECT_EQ(down.cause, GNOMON_VIEW_SURFACE);
+  EXPECT_EQ(down.at, vec2(3.25F, 2)) << "row 0 lies in the north";
+  EXPECT_EQ(down.depth, 2) << "in lengths of the direction";
+  const auto slanted = look(kFlat, vec3(-1, 4, 8), vec3(1, 0, -0.5F));
+  EXPECT_EQ(slanted.cause, GNOMON_VIEW_SURFACE);
+  EXPECT_FLOAT_EQ(slanted.at.x, 5);
+  EXPECT_FLOAT_EQ(slanted.depth, 6);
+}
+
+TEST(ReliefView, SeesNoGroundAboveBesideAndFromBelow) {
+  for (const auto& [origin, direction] : {std::pair{vec3(3, 3, 9), vec3(0, 0, 1)},
+                                          {vec3(3, 3, 9), vec3(1, 0, 0.1F)},
+                                          {vec3(-9, 3, 9), vec3(-1, 0, -1)},
+                                          {vec3(-9, 3, 6), vec3(1, 5, -0.1F)},
+                                          {vec3(3, 3, 1), vec3(1, 0, 0.5F)},
+                                          {vec3(3, 3, 1), vec3(0, 0, -1)}}) {
+    const auto hit = look(kFlat, origin, direction);
+    EXPECT_EQ(hit.cause, GNOMON_VIEW_SKY) << origin.x << " " << origin.z;
+    EXPECT_EQ(hit.depth, 0);
+  }
+}
+
+TEST(ReliefView, StaysUndecidedAtItsStepLimitOnly) {
+  // From under the flat ground no block can be passed over: 8 patches to the edge.
+  const auto hit = kFlat.gnomon_relief_view(kFlat.map(), vec3(-1, 4, 4), vec3(1, 0, 0.01F), 0, 2);
+  EXPECT_EQ(hit.cause, GNOMON_VIEW_UNDECIDED);
+}
+
+TEST(ViewWalk, BeginsUnderTheSurfaceOnlyWhereItIsTold) {
+  auto ray = kFlat.gnomon_ray(kFlat.map(), kFlat.gnomon_receiver_at(2, 2, 0), vec3(1, 0, -0.5F), 0);
+  ray.height = -0.001F;  // under the flat ground
+  EXPECT_EQ(kFlat.gnomon_view_walk(kFlat.map(), ray, true, 0, 100).cause, GNOMON_VIEW_SURFACE);
+  EXPECT_EQ(kFlat.gnomon_view_walk(kFlat.map(), ray, false, 0, 100).cause, GNOMON_VIEW_SKY);
+}
+
+TEST(ReliefView, AgreesWithDoublePrecisionOnRandomRays) {
+  for (const char* kind : {"fractal", "gorge", "steps", "spikes"}) {
+    const MapModules modules(
+        terrain::make_procedural(
+            {.kind = kind, .width = 133, .height = 70, .seed = 3, .spacing_x = 10, .spacing_y = 10})
+            .value());
+    const oracle::Surface surface = technique::surface_of(modules.heights());
+    const oracle::ViewTracer tracer(surface);
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> unit(0, 1);
+    const float highest = modules.map().highest;
+    int hits = 0;
+    int far = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const vec3 origin(1330 * (3 * unit(random) - 1), 700 * (3 * unit(random) - 1),
+                        highest * (0.2F + 2 * unit(random)));
+      const vec3 target(1330 * unit(random), 700 * unit(random), highest * unit(random));
+      const vec3 direction = normalize(target - origin);
+      const auto hit = look(modules, origin, direction);
+      const auto expected =
+          tracer.first_hit({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}});
+      ASSERT_NE(hit.cause, GNOMON_VIEW_UNDECIDED);
+      hits += expected.has_value();
+      const bool same = expected.has_value() == (hit.cause == GNOMON_VIEW_SURFACE) &&
+                        std::abs(expected.value_or(0) - double{hit.depth}) <= 0.01 + 1e-5 * double{hit.depth};
+      far += !same;
+    }
+    EXPECT_GT(hits, 3000) << kind;
+    // Rays that graze an edge, which the last bits decide; the faces of steps are seen edge on.
+    EXPECT_LT(far, 60) << kind;
+  }
+}
+
+}  // namespace
+}  // namespace gnomon::modules
