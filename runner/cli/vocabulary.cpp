@@ -20,7 +20,8 @@ scene::Vocabulary vocabulary() {
     if (!image) return std::nullopt;  // said with its reason when the map is loaded
     return std::array{image->width, image->height};
   };
-  words.channels = {"b_shadow", "k_shadow", "q", "steps", "valid", "horizon"};
+  words.channels = {"b_shadow", "k_shadow", "q",        "steps", "valid", "horizon", "column",
+                    "row",      "depth",    "coverage", "R",     "G",     "B"};
   return words;
 }
 

@@ -207,15 +207,25 @@ TEST_F(Mistakes, InSunCameraAndShadow) {
             "s.json:3:8: error: /sun: expected an object that may hold \"azimuth\", \"elevation\", or an "
             "object with "
             "\"direction\", got 5. Where the sun stands: as angles, or as a direction towards it.");
-  EXPECT_EQ(member(R"("camera": {"perspective": {}})"),
-            "s.json:3:12: error: /camera/perspective: unknown key \"perspective\"; expected one of \"map\"");
+  EXPECT_EQ(
+      member(R"("camera": {"panorama": {}})"),
+      "s.json:3:11: error: /camera: expected an object with \"map\", or an object with \"perspective\", or "
+      "an object with \"orthographic\", or an object with \"points\", got {\"panorama\":{}}. Which points "
+      "are asked for their shadow.");
+  EXPECT_EQ(member(R"("camera": {"perspective": {"eye": [1, 2, 3], "target": [1, 2, 3]}})"),
+            "s.json:3:56: error: /camera/perspective/target: the target is the eye itself; expected another "
+            "point, in the middle of the image");
+  EXPECT_EQ(
+      member(R"("ground": {"albedo": {"heights": [{"height": 5, "colour": [0, 0, 0]},
+{"height": 5, "colour": [1, 1, 1]}]}})"),
+      "s.json:4:1: error: /ground/albedo/heights/1/height: expected heights that rise from entry to entry");
   EXPECT_EQ(member(R"("shadow": {"method": "multi_level"})"),
             "s.json:3:22: error: /shadow/method: unknown shadow method \"multi_level\"; did you mean "
             "\"multilevel\"?");
-  EXPECT_EQ(member(R"("shadow": {"q": 1.0})"),
-            "s.json:3:17: error: /shadow/q: expected an integer of at least 0, got 1.0. Level of detail: 0 "
-            "is the map "
-            "itself, each further level halves it.");
+  EXPECT_EQ(
+      member(R"("shadow": {"q": 1.0})"),
+      "s.json:3:17: error: /shadow/q: expected an integer of at least 0, or \"auto\", got 1.0. Level of "
+      "detail: 0 is the map itself, each further level halves it.");
   EXPECT_EQ(member(R"("shadow": {"q": 9223372036854775807})"),
             "s.json:3:17: error: /shadow/q: level 2147483647 does not exist; the coarsest level of a 256x256 "
             "map is "
@@ -292,7 +302,7 @@ TEST_F(Mistakes, InTheSceneAsAWhole) {
   EXPECT_EQ(errors(scene("\"foo\": 1")),
             "s.json:3:1: error: /foo: unknown key \"foo\"; expected one of \"$schema\", \"version\", "
             "\"description\", "
-            "\"terrain\", \"sun\", \"camera\", \"shadow\", \"matrix\", \"expect\"");
+            "\"terrain\", \"sun\", \"camera\", \"shadow\", \"ground\", \"matrix\", \"expect\"");
 }
 
 TEST_F(Mistakes, AreAllSaidAtOnceInTheOrderOfTheFile) {
