@@ -54,7 +54,6 @@ Result<BenchResult> bench(Engine& engine, const BenchOptions& options) {
   if (!map) return map.diagnostics();
   const Result<double> built = build_pyramid(engine, *map);
   if (!built) return built.diagnostics();
-  const Result<const technique::Pyramid*> pyramid = engine.pyramid(*map, 0);
   const Result<image::Image> reference = engine.reference(scene, 0);
   if (!reference) return reference.diagnostics();
 
@@ -69,6 +68,9 @@ Result<BenchResult> bench(Engine& engine, const BenchOptions& options) {
   for (int round = 0; round <= options.rounds; ++round) {
     for (BenchFigure& figure : result.figures) {
       scene.shadow.method = figure.method;
+      const Result<const technique::Pyramid*> pyramid =
+          engine.pyramid(*map, 0, technique::find_technique(figure.method)->bounds);
+      if (!pyramid) return pyramid.diagnostics();
       double seconds = 0;
       const Result<image::Image> image =
           technique::render_shadow(engine.programs(), **pyramid, scene, **map, &seconds);

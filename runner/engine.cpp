@@ -140,12 +140,18 @@ Result<const gl::Info*> Engine::gl_info() {
   return &context_->info();
 }
 
-Result<const technique::Pyramid*> Engine::pyramid(const std::shared_ptr<const HeightMap>& map, int q) {
+Result<const technique::Pyramid*> Engine::pyramid(const std::shared_ptr<const HeightMap>& map, int q,
+                                                  technique::Bounds bounds) {
   if (!pyramid_ || pyramid_->map != map || pyramid_->pyramid.q != q) {
     pyramid_.reset();  // first: two large pyramids need not fit
     Result<technique::Pyramid> built = technique::build_pyramid(*programs_, *map, q);
     if (!built) return built.diagnostics();
     pyramid_ = BuiltPyramid{map, std::move(built).value()};
+  }
+  if (bounds == technique::Bounds::kLiteralExtrema && !pyramid_->pyramid.literal_extrema) {
+    auto literal = technique::build_literal_extrema(*programs_, *map);
+    if (!literal) return literal.diagnostics();
+    pyramid_->pyramid.literal_extrema = std::move(literal).value();
   }
   return &pyramid_->pyramid;
 }
@@ -153,7 +159,8 @@ Result<const technique::Pyramid*> Engine::pyramid(const std::shared_ptr<const He
 Result<image::Image> Engine::render_with_gl(const Scene& scene, const std::shared_ptr<const HeightMap>& map) {
   const Result<const gl::Info*> info = gl_info();
   if (!info) return info.diagnostics();
-  const Result<const technique::Pyramid*> built = pyramid(map, scene.shadow.q);
+  const Result<const technique::Pyramid*> built =
+      pyramid(map, scene.shadow.q, technique::find_technique(scene.shadow.method)->bounds);
   if (!built) return in_scene(built.diagnostics(), scene);
   Result<image::Image> image = technique::render_shadow(*programs_, **built, scene, *map);
   if (!image) return in_scene(image.diagnostics(), scene);

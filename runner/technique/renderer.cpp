@@ -90,17 +90,29 @@ std::vector<Tile> tiles_of(glm::ivec2 size, int side) {
   return tiles;
 }
 
+void add_literal_extrema(const Pyramid& pyramid, ShadowProgram& with) {
+  int levels = 0;
+  if (pyramid.literal_extrema) {
+    levels = pyramid.literal_extrema->levels();
+    with.samplers.push_back(
+        {.name = "gnomon_literal_extrema", .texture = &*pyramid.literal_extrema, .last_level = levels - 1});
+  }
+  with.uniforms.emplace_back("u_map_top_level", levels);  // in place of that of the block maxima
+}
+
 }  // namespace
 
 Result<image::Image> render_shadow(ProgramCache& programs, const Pyramid& pyramid, const scene::Scene& scene,
                                    const terrain::HeightMap& base, double* draw_seconds) {
-  const Result<const CachedProgram*> program = programs.get(find_technique(scene.shadow.method)->program);
+  const Technique& technique = *find_technique(scene.shadow.method);
+  const Result<const CachedProgram*> program = programs.get(technique.program);
   if (!program) return program.diagnostics();
-  const ShadowProgram with{
+  ShadowProgram with{
       .program = *program,
       .samplers = {
           {.name = "gnomon_heights", .texture = &pyramid.heights},
           {.name = "gnomon_extrema", .texture = &pyramid.extrema, .last_level = pyramid.top_level() - 1}}};
+  if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(pyramid, with);
   return render_shadow_with(with, pyramid, scene, base, draw_seconds);
 }
 
