@@ -50,7 +50,8 @@ TEST_F(Cpp, AnOptionalHostFunctionNeedsNoDefinitionUntilItIsAskedFor) {
                 "#define GNOMON_OPTIONAL\nGNOMON_OPTIONAL vec2 wanted(ivec2 at);\nfloat other(int q);\n"
                 "float uses() { return wanted(ivec2(1, 2)).y; }\nfloat does_not() { return other(1); }\n");
   const std::string host =
-      "struct Host : gnomon::Modules { float other(int) const override { return 4; } };\n";
+      "#include <cstdlib>\nstruct Host : gnomon::Modules { float other(int) const override { return 4; } "
+      "};\n";
   EXPECT_EQ(run({m}, host + "int main() { return Host().does_not() == 4 ? 0 : 1; }\n"), 0);
   EXPECT_EQ(run({m}, host + "struct Full : Host { glm::vec2 wanted(glm::ivec2 at) const override { "
                             "return glm::vec2(at); } };\n"
