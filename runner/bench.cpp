@@ -54,7 +54,6 @@ Result<BenchResult> bench(Engine& engine, const BenchOptions& options) {
   if (!map) return map.diagnostics();
   const Result<double> built = build_pyramid(engine, *map);
   if (!built) return built.diagnostics();
-  const Result<const technique::Pyramid*> pyramid = engine.pyramid(*map, 0);
   const technique::Ground ground = technique::map_ground({}, scene.shadow, **map);
   const Result<image::Image> reference = engine.reference(scene, ground);
   if (!reference) return reference.diagnostics();
@@ -70,6 +69,9 @@ Result<BenchResult> bench(Engine& engine, const BenchOptions& options) {
   for (int round = 0; round <= options.rounds; ++round) {
     for (BenchFigure& figure : result.figures) {
       scene.shadow.method = figure.method;
+      const Result<const technique::Pyramid*> pyramid =
+          engine.pyramid(*map, 0, technique::find_technique(figure.method)->bounds);
+      if (!pyramid) return pyramid.diagnostics();
       double seconds = 0;
       const Result<image::Image> image =
           technique::render_shadow(engine.programs(), {{0, *pyramid}}, scene, ground, &seconds);

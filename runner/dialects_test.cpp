@@ -15,7 +15,7 @@ constexpr std::array<std::array<double, 2>, 3> kSuns{
 std::vector<scene::Scene> scenes() {
   std::vector<scene::Scene> list;
   for (const char* map : {"fractal", "spikes", "real"}) {
-    for (const char* method : {"multilevel", "brute_force"}) {
+    for (const char* method : {"multilevel", "brute_force", "multilevel_literal"}) {
       for (const auto& [azimuth, elevation] : kSuns) {
         list.push_back(testing::scene_over(map, 256, 256));
         list.back().sun = {azimuth, elevation};

@@ -140,13 +140,21 @@ Result<const gl::Info*> Engine::gl_info() {
   return &context_->info();
 }
 
-Result<const technique::Pyramid*> Engine::pyramid(const std::shared_ptr<const HeightMap>& map, int q) {
+Result<const technique::Pyramid*> Engine::pyramid(const Map& map, int q, technique::Bounds bounds) {
   if (pyramids_.map != map) pyramids_ = {map, {}};  // first: those of two large maps need not fit
-  const auto found = pyramids_.levels.find(q);
-  if (found != pyramids_.levels.end()) return &found->second;
-  Result<technique::Pyramid> built = technique::build_pyramid(*programs_, *map, q);
-  if (!built) return built.diagnostics();
-  return &pyramids_.levels.emplace(q, std::move(built).value()).first->second;
+  auto found = pyramids_.levels.find(q);
+  if (found == pyramids_.levels.end()) {
+    Result<technique::Pyramid> built = technique::build_pyramid(*programs_, *map, q);
+    if (!built) return built.diagnostics();
+    found = pyramids_.levels.emplace(q, std::move(built).value()).first;
+  }
+  technique::Pyramid& pyramid = found->second;
+  if (bounds == technique::Bounds::kLiteralExtrema && !pyramid.literal_extrema) {
+    auto literal = technique::build_literal_extrema(*programs_, *map);
+    if (!literal) return literal.diagnostics();
+    pyramid.literal_extrema = std::move(literal).value();
+  }
+  return &pyramid;
 }
 
 Result<technique::Ground> Engine::ground(const Scene& scene, const Map& map, bool on_cpu, glm::dvec2 offset) {
@@ -173,7 +181,7 @@ Result<image::Image> Engine::render_with_gl(const Scene& scene, const Map& map,
   if (!info) return info.diagnostics();
   technique::Pyramids pyramids;
   for (const int q : ground.levels()) {
-    const Result<const technique::Pyramid*> built = pyramid(map, q);
+    const Result<const technique::Pyramid*> built = pyramid(map, q, technique::find_technique(scene.shadow.method)->bounds);
     if (!built) return in_scene(built.diagnostics(), scene);
     pyramids[q] = *built;
   }

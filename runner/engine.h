@@ -17,6 +17,7 @@
 #include "technique/ground.h"
 #include "technique/program_cache.h"
 #include "technique/pyramid.h"
+#include "technique/technique.h"
 #include "terrain/height_map.h"
 
 namespace gnomon {
@@ -71,7 +72,8 @@ class Engine {
   /// For bench: the map of a scene, the programs, the pyramid.
   [[nodiscard]] Result<std::shared_ptr<const terrain::HeightMap>> terrain(const scene::Scene& scene);
   [[nodiscard]] Result<const technique::Pyramid*> pyramid(
-      const std::shared_ptr<const terrain::HeightMap>& map, int q);
+      const std::shared_ptr<const terrain::HeightMap>& map, int q,
+      technique::Bounds bounds = technique::Bounds::kBlockMaxima);
   [[nodiscard]] technique::ProgramCache& programs() { return *programs_; }
 
  private:

@@ -142,8 +142,19 @@ class Members {
       }
     } else {
       insertions_.emplace_back(declaration.begin, "virtual ");
-      insertions_.emplace_back(declaration.end - 1, " const = 0");
+      insertions_.emplace_back(declaration.end - 1, " const" + absent_body(declaration));
     }
+  }
+
+  // What a host function does that the derived class does not define.
+  [[nodiscard]] std::string absent_body(const Declaration& declaration) {
+    const std::string_view head = head_of(declaration);
+    std::string_view words = trim(head);
+    if (take_word(words) != "GNOMON_OPTIONAL") return " = 0";
+    text_[declaration.end - 1] = ' ';  // no semicolon behind a body
+    return fmt::format(
+        R"( {{ std::fputs("gnomon: a module asks for {}, which this class of yours does not define\n", stderr); std::terminate(); }})",
+        function_name(head));
   }
 
   std::string& text_;
@@ -226,6 +237,8 @@ constexpr std::string_view kFrame = R"(// Made by gnomonc from shader modules: c
 #ifndef GNOMON_CPP_{0}_H
 #define GNOMON_CPP_{0}_H
 
+#include <cstdio>
+#include <exception>
 #include <glm/glm.hpp>
 
 #if defined(__GNUC__)

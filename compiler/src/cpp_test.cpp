@@ -44,6 +44,22 @@ TEST_F(Cpp, HostFunctionsAreTheDerivedClasss) {
       0);
 }
 
+TEST_F(Cpp, AnOptionalHostFunctionNeedsNoDefinitionUntilItIsAskedFor) {
+  const std::string m =
+      tree.file("m.glsl",
+                "#define GNOMON_OPTIONAL\nGNOMON_OPTIONAL vec2 wanted(ivec2 at);\nfloat other(int q);\n"
+                "float uses() { return wanted(ivec2(1, 2)).y; }\nfloat does_not() { return other(1); }\n");
+  const std::string host =
+      "#include <cstdlib>\nstruct Host : gnomon::Modules { float other(int) const override { return 4; } "
+      "};\n";
+  EXPECT_EQ(run({m}, host + "int main() { return Host().does_not() == 4 ? 0 : 1; }\n"), 0);
+  EXPECT_EQ(run({m}, host + "struct Full : Host { glm::vec2 wanted(glm::ivec2 at) const override { "
+                            "return glm::vec2(at); } };\n"
+                            "int main() { return Full().uses() == 2 ? 0 : 1; }\n"),
+            0);
+  EXPECT_EQ(run({m}, host + "int main() { std::set_terminate([] { std::_Exit(7); }); Host().uses(); }\n"), 7);
+}
+
 TEST_F(Cpp, LinesLeadToTheModules) {
   tree.file("library/core/x.glsl", "#ifndef X\n#define X\n\nfloat x() { return 1.0f; }\n#endif\n");
   const std::string m = tree.file("m.glsl", "#include <gnomon/core/x.glsl>\nfloat m() { return x(); }\n");

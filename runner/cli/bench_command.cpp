@@ -38,10 +38,10 @@ std::string to_table(const BenchResult& result) {
       fmt::format("fractal {0} x {0}, sun {1}, {2} degrees, {3} rays a round, pyramid {4:.1f} ms (apart)\n",
                   result.options.size, result.options.azimuth, result.options.elevation, result.rays,
                   1e3 * result.pyramid_seconds);
-  text += fmt::format("  {:<16} {:>12} {:>8} {:>12} {:>12} {:>8}\n", "method", "median ms", "ratio",
+  text += fmt::format("  {:<20} {:>12} {:>8} {:>12} {:>12} {:>8}\n", "method", "median ms", "ratio",
                       "steps a ray", "mismatches", "in band");
   for (const BenchFigure& figure : result.figures) {
-    text += fmt::format("  {:<16} {:>12.1f} {:>7.2f}x {:>12.2f} {:>12} {:>8}\n", figure.method,
+    text += fmt::format("  {:<20} {:>12.1f} {:>7.2f}x {:>12.2f} {:>12} {:>8}\n", figure.method,
                         1e3 * figure.median, slowest / figure.median, figure.mean_steps, figure.mismatches,
                         figure.in_band);
   }

@@ -23,6 +23,8 @@ GlFormat gl_format(Format format) {
   switch (format) {
     case Format::kR32F:
       break;
+    case Format::kRg32F:
+      return {GL_RG32F, GL_RG, GL_FLOAT, 2};
     case Format::kRgba32F:
       return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 4};
     case Format::kR16:

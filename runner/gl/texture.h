@@ -12,6 +12,7 @@ namespace gnomon::gl {
 
 enum class Format {
   kR32F,
+  kRg32F,
   kRgba32F,
   kR16,    ///< 0..65535, read as 0..1
   kR16Ui,  ///< 0..65535, read as integers

@@ -6,20 +6,26 @@
 
 #include "oracle/view_ray.h"
 #include "technique/camera.h"
+#include "technique/map_host.h"
 #include "technique/surface.h"
+#include "terrain/level.h"
 
 namespace gnomon::technique {
 namespace {
 
-int coarsest_level(const terrain::HeightMap& map) {
-  int level = 0;
-  while ((1 << level) < std::max(map.width, map.height)) ++level;
-  return level;
+int coarsest_of(const terrain::HeightMap& map) {
+  return terrain::coarsest_level(map.width, map.height);
+}
+
+/// Algo 1 for a pixel whose point moves by these texels from pixel to pixel.
+int level_of_detail(const MapHost& host, glm::vec2 along_x, glm::vec2 along_y, const scene::Shadow& shadow,
+                    int coarsest) {
+  return host.gnomon_level_of_detail(along_x, along_y, static_cast<float>(shadow.max_anisotropy), coarsest);
 }
 
 /// The first pixel that cannot be asked, and why.
 std::optional<std::string> wrong_point(const Ground& ground, const terrain::HeightMap& map) {
-  const int coarsest = coarsest_level(map);
+  const int coarsest = coarsest_of(map);
   for (std::size_t i = 0; i < ground.pixels(); ++i) {
     if (ground.valid[i] == 0) continue;
     const auto width = static_cast<std::size_t>(ground.size.x);
@@ -67,6 +73,12 @@ Ground map_ground(const scene::MapCamera& camera, const scene::Shadow& shadow,
   Ground ground = empty_ground(size, shadow);
   ground.texels_per_pixel = glm::vec2(glm::dvec2(map.width, map.height) / glm::dvec2(size));
   ground.valid.assign(ground.pixels(), 1.0F);
+  if (!shadow.q) {
+    const glm::vec2 step = ground.texels_per_pixel;
+    const int level =
+        level_of_detail(MapHost(map), {step.x, 0}, {0, step.y}, shadow, coarsest_of(map));
+    ground.q.assign(ground.pixels(), static_cast<float>(level));
+  }
   std::size_t i = 0;
   for (int y = 0; y < size.y; ++y) {
     for (int x = 0; x < size.x; ++x, ++i) {
@@ -107,6 +119,9 @@ Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& 
   const CameraRays rays = camera_rays(camera);
   const oracle::Surface surface = surface_of(map);
   const oracle::ViewTracer tracer(surface);
+  const MapHost host(map);
+  const Modules::GnomonMap taken = host.map();
+  const int coarsest = coarsest_of(map);
   Ground ground = empty_ground({camera.size[0], camera.size[1]}, shadow);
   ground.depth.resize(ground.pixels());
   std::size_t i = 0;

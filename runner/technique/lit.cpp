@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "technique/lit.h"
 
-#include <gnomon/modules.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "technique/map_host.h"
 #include "technique/sun.h"
 #include "technique/tiles.h"
 
@@ -65,17 +64,6 @@ Result<Done> light_tile(const gl::Program& program, const Pyramid& base, const U
   return Done{};
 }
 
-/// The modules over a height map.
-struct MapHost final : Modules {
-  const terrain::HeightMap& map;
-
-  explicit MapHost(const terrain::HeightMap& heights) : map(heights) {}
-  float gnomon_host_height(glm::ivec2 sample, int) const override {
-    return map.at(glm::clamp(sample.y, 0, map.height - 1), glm::clamp(sample.x, 0, map.width - 1));
-  }
-  float gnomon_host_extrema(glm::ivec2, int, int) const override { return 0; }  // a normal asks for none
-};
-
 }  // namespace
 
 Result<Done> light(ProgramCache& programs, const Pyramid& base, const scene::Scene& scene,
@@ -97,15 +85,13 @@ Result<Done> light(ProgramCache& programs, const Pyramid& base, const scene::Sce
 void light_reference(const terrain::HeightMap& map, const scene::Scene& scene, const Ground& ground,
                      const std::vector<glm::vec3>& albedo, image::Image& image) {
   const MapHost host(map);
-  Modules::GnomonMap taken{};  // a normal asks for the spacing only
-  taken.spacing = glm::vec2(map.spacing_x, map.spacing_y);
   const std::vector<float>& k_shadow = image.channels.at("k_shadow");
   const Planes planes = colour_planes(image);
   for (std::size_t i = 0; i < ground.pixels(); ++i) {
     if (ground.valid[i] == 0) continue;
     const auto receiver = host.gnomon_receiver_at(ground.column[i], ground.row[i], 0);
     const glm::vec3 colour =
-        host.gnomon_lit(albedo[i], host.gnomon_surface_normal(taken, receiver, 0), to_sun_single(scene.sun),
+        host.gnomon_lit(albedo[i], host.gnomon_surface_normal(host.map(), receiver, 0), to_sun_single(scene.sun),
                         k_shadow[i], static_cast<float>(scene.ground.ambient));
     for (glm::length_t c = 0; c < 3; ++c) (*planes[static_cast<std::size_t>(c)])[i] = colour[c];
   }

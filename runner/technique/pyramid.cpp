@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gl/draw.h"
+#include "terrain/level.h"
 
 namespace gnomon::technique {
 namespace {
@@ -18,11 +19,12 @@ int ceil_div(int a, int b) {
   return (a + b - 1) / b;
 }
 
-/// Mip sizes are halved rounding down: sides that are multiples of 2^(levels - 1) lose no block.
-gl::Size extrema_size(glm::ivec2 patches, int levels) {
+/// Mip sizes are halved rounding down: sides that are multiples of 2^(levels - 1) lose no block. `cells`:
+/// patches or texels, of which level 1 takes 2 x 2 together.
+gl::Size extrema_size(glm::ivec2 cells, int levels) {
   const int top_block = 1 << levels;
   const int below = 1 << (levels - 1);
-  return {ceil_div(patches.x, top_block) * below, ceil_div(patches.y, top_block) * below};
+  return {ceil_div(cells.x, top_block) * below, ceil_div(cells.y, top_block) * below};
 }
 
 int level_count(glm::ivec2 patches) {
@@ -49,6 +51,23 @@ Result<gl::Texture> coarser(const gl::Program& program, const gl::Texture& finer
   return heights;
 }
 
+/// Fills the mip levels of `extrema`, each from the one below, the first from `heights`.
+Result<Done> draw_levels(const gl::Program& program, const gl::Texture& heights, const char* sampler,
+                         const gl::Texture& extrema) {
+  for (int level = 1; level <= extrema.levels(); ++level) {
+    // Only the levels below are visible to the shader: reading the one that is drawn would be undefined.
+    const Result<Done> drawn =
+        gl::draw({.program = &program,
+                  .uniforms = {{"u_level", level}},
+                  .samplers = {{.name = "gnomon_heights", .texture = &heights},
+                               {.name = sampler, .texture = &extrema, .last_level = std::max(level - 2, 0)}},
+                  .target = &extrema,
+                  .target_level = level - 1});
+    if (!drawn) return drawn;
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q) {
@@ -64,19 +83,28 @@ Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture&
   const int levels = level_count(patches);
   Result<gl::Texture> extrema = gl::Texture::create(gl::Format::kR32F, extrema_size(patches, levels), levels);
   if (!extrema) return extrema;
-  for (int level = 1; level <= levels; ++level) {
-    // Only the levels below are visible to the shader: reading the one that is drawn would be undefined.
-    const Result<Done> drawn = gl::draw({.program = &program,
-                                         .uniforms = {{"u_level", level}},
-                                         .samplers = {{.name = "gnomon_heights", .texture = &heights},
-                                                      {.name = "gnomon_extrema",
-                                                       .texture = &extrema.value(),
-                                                       .last_level = std::max(level - 2, 0)}},
-                                         .target = &extrema.value(),
-                                         .target_level = level - 1});
-    if (!drawn) return drawn.diagnostics();
-  }
+  if (const Result<Done> drawn = draw_levels(program, heights, "gnomon_extrema", *extrema); !drawn)
+    return drawn.diagnostics();
   return extrema;
+}
+
+Result<std::optional<gl::Texture>> build_literal_extrema(ProgramCache& programs,
+                                                         const terrain::HeightMap& base) {
+  // The papers end H_ext one level before the single block.
+  const int levels = terrain::coarsest_level(base.width, base.height) - 1;
+  if (levels < 1) return std::optional<gl::Texture>{};
+  const Result<const CachedProgram*> program = programs.get("programs/literal_extrema.frag");
+  if (!program) return program.diagnostics();
+  const Result<gl::Texture> heights = upload(base);
+  if (!heights) return heights.diagnostics();
+  Result<gl::Texture> extrema =
+      gl::Texture::create(gl::Format::kRg32F, extrema_size({base.width, base.height}, levels), levels);
+  if (!extrema) return extrema.diagnostics();
+  if (const Result<Done> drawn =
+          draw_levels((*program)->program, *heights, "gnomon_literal_extrema", *extrema);
+      !drawn)
+    return drawn.diagnostics();
+  return std::optional<gl::Texture>(std::move(extrema).value());
 }
 
 Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& base, int q) {

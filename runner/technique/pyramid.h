@@ -16,6 +16,9 @@ namespace gnomon::technique {
 struct Pyramid {
   gl::Texture heights;  ///< R32F, H_q
   gl::Texture extrema;  ///< R32F, mip level k: maxima over blocks of 2^(k + 1) x 2^(k + 1) patches
+  /// The papers' H_ext of H_0, where a method has asked for it. RG32F, mip level k: highest and lowest over
+  /// blocks of 2^(k + 1) x 2^(k + 1) texels.
+  std::optional<gl::Texture> literal_extrema{};
   int q = 0;
   glm::ivec2 size{};    ///< samples of H_q
   glm::vec2 domain{};   ///< texels of H_q
@@ -31,6 +34,11 @@ struct Pyramid {
 /// Block maxima of `heights` as Pyramid::extrema, drawn by a program that ends in programs/extrema_pass.glsl:
 /// its host function knows the encoding of `heights`.
 [[nodiscard]] Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture& heights);
+
+/// Pyramid::literal_extrema of a map. Without levels where the papers have none: a map of at most 2 x 2
+/// samples.
+[[nodiscard]] Result<std::optional<gl::Texture>> build_literal_extrema(ProgramCache& programs,
+                                                                       const terrain::HeightMap& base);
 
 /// Fails where the map is larger than the driver's textures (naming the limit) or memory runs out.
 [[nodiscard]] Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& base, int q);

@@ -108,16 +108,28 @@ void tell_origin(const ShadowProgram& with, image::Image& image) {
   image.attributes["gnomon:program_hash"] = with.program->program_hash;
 }
 
+void add_literal_extrema(const Pyramid& pyramid, ShadowProgram& with) {
+  int levels = 0;
+  if (pyramid.literal_extrema) {
+    levels = pyramid.literal_extrema->levels();
+    with.samplers.push_back(
+        {.name = "gnomon_literal_extrema", .texture = &*pyramid.literal_extrema, .last_level = levels - 1});
+  }
+  with.uniforms.emplace_back("u_map_top_level", levels);  // in place of that of the block maxima
+}
+
 }  // namespace
 
 Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyramids,
                                    const scene::Scene& scene, const Ground& ground, double* draw_seconds) {
-  const Result<const CachedProgram*> program = programs.get(find_technique(scene.shadow.method)->program);
+  const Technique& technique = *find_technique(scene.shadow.method);
+  const Result<const CachedProgram*> program = programs.get(technique.program);
   if (!program) return program.diagnostics();
   image::Image image = image_of(ground);
   double seconds = 0;
   for (const auto& [q, pyramid] : pyramids) {
-    const ShadowProgram with{.program = *program, .samplers = map_samplers(*pyramid)};
+    ShadowProgram with{.program = *program, .samplers = map_samplers(*pyramid)};
+    if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(*pyramid, with);
     const Result<Done> answered = answer_level(with, *pyramid, scene, ground, image, &seconds);
     if (!answered) return answered.diagnostics();
   }

@@ -2,12 +2,14 @@
 #include "technique/camera.h"
 #include "technique/ground.h"
 #include "technique/tiles.h"
+#include "terrain/level.h"
 
 namespace gnomon::technique {
 namespace {
 
-constexpr float kUndecided = 0.0F;  // GNOMON_VIEW_UNDECIDED
-constexpr float kSurface = 1.0F;    // GNOMON_VIEW_SURFACE
+// In place of a level of detail, as programs/view.frag writes them.
+constexpr float kNothingSeen = -1.0F;
+constexpr float kUndecided = -2.0F;
 
 Uniforms camera_uniforms(const CameraRays& rays, glm::dvec2 offset) {
   return {{"u_eye", glm::vec3(rays.eye)},
@@ -36,7 +38,9 @@ Result<Done> store(const Texels& texels, const Tile& tile, Ground& ground) {
       ground.column[i] = texel[0];
       ground.row[i] = texel[1];
       ground.depth[i] = texel[2];
-      ground.valid[i] = texel[3] == kSurface ? 1.0F : 0.0F;
+      if (texel[3] == kNothingSeen) continue;
+      ground.valid[i] = 1.0F;
+      ground.q[i] = texel[3];
     }
   }
   return Done{};
@@ -52,6 +56,9 @@ Result<Ground> seen_ground(ProgramCache& programs, const Pyramid& base, const sc
   ground.depth.resize(ground.pixels());
   Uniforms uniforms = map_uniforms(base);
   for (auto& uniform : camera_uniforms(camera_rays(camera), offset)) uniforms.push_back(std::move(uniform));
+  uniforms.emplace_back("u_level", shadow.q.value_or(-1));
+  uniforms.emplace_back("u_max_anisotropy", static_cast<float>(shadow.max_anisotropy));
+  uniforms.emplace_back("u_coarsest", terrain::coarsest_level(base.size.x, base.size.y));
   for (const Tile& tile : tiles_of(ground.size)) {
     const Result<Texels> texels =
         draw_tile(tile, (*program)->program, uniforms, map_samplers(base), {}, draw_seconds);

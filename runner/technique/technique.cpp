@@ -8,6 +8,8 @@ namespace gnomon::technique {
 const std::vector<Technique>& techniques() {
   static const std::vector<Technique> table = {
       {"multilevel", "programs/multilevel.frag", "exact hard shadow over a pyramid of patch maxima"},
+      {"multilevel_literal", "programs/multilevel_literal.frag",
+       "the papers' own text with its errors, to see what they do", Bounds::kLiteralExtrema},
       {"brute_force", "programs/brute_force.frag", "exact hard shadow, every patch under the ray"},
       {"reference", "", "the double-precision oracle, no GL"},
   };

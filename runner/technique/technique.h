@@ -7,11 +7,18 @@
 
 namespace gnomon::technique {
 
+/// What a method reads beside the heights of its level.
+enum class Bounds {
+  kBlockMaxima,     ///< relief/extrema: maxima over blocks of patches of H_q
+  kLiteralExtrema,  ///< relief/literal_extrema: the papers' H_ext, of H_0 whatever q is
+};
+
 struct Technique {
   std::string name;  ///< what scenes and --method call it
   std::string
       program;  ///< fragment program below the shader library; empty: computed on the CPU by the oracle
   std::string description;  ///< one sentence
+  Bounds bounds = Bounds::kBlockMaxima;
 };
 
 /// Every method, the default one first.

@@ -13,6 +13,10 @@
 #define GNOMON_OUT(type) out type
 #endif
 
+// Before the prototype of a host function that only a few modules ask for: in C++ a host need not define it, and the
+// program ends, naming it, where a module asks in vain.
+#define GNOMON_OPTIONAL
+
 // What the dialect has. __VERSION__ is a string in C++.
 #if defined(__cplusplus)
 #define GNOMON_HAS_STORAGE_BUFFER 0

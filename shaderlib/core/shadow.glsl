@@ -14,6 +14,7 @@
 #define GNOMON_CAUSE_ZENITH 3           // lit: nothing can stand between
 #define GNOMON_CAUSE_LEFT_MAP 4         // lit: the ray left the domain
 #define GNOMON_CAUSE_ABOVE_ALL 5        // lit: the ray rose above the highest sample
+#define GNOMON_CAUSE_BELOW_BLOCK 6      // shadow: a block's lowest height rises to the ray; relief/multilevel_literal only
 
 struct GnomonShadow {
   float shadow;  // b_shadow: 1 in shadow, 0 lit

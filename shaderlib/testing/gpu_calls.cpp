@@ -21,7 +21,7 @@ int texels(std::size_t scalars) {
 
 // Each pixel makes one whole call and writes four scalars of its answer.
 std::string program_text(const ModuleFunction& function, const std::vector<compiler::Module>& modules) {
-  std::string text = "#include <gnomon/host/r32f.glsl>\n";
+  std::string text = "#include <gnomon/host/r32f.glsl>\n#include <gnomon/host/literal_extrema_rg32f.glsl>\n";
   for (const compiler::Module& module : modules) {
     if (!module.defines_host()) text += "#include <gnomon/" + module.name + ".glsl>\n";
   }
@@ -83,7 +83,10 @@ Result<std::vector<float>> call_on_gpu(technique::ProgramCache& programs, const 
                                                     {.name = "gnomon_heights", .texture = &map.heights},
                                                     {.name = "gnomon_extrema",
                                                      .texture = &map.extrema,
-                                                     .last_level = map.extrema.levels() - 1}},
+                                                     .last_level = map.extrema.levels() - 1},
+                                                    {.name = "gnomon_literal_extrema",
+                                                     .texture = &map.literal_extrema.value(),
+                                                     .last_level = map.literal_extrema->levels() - 1}},
                                        .target = &out.value()});
   if (!drawn) return drawn.diagnostics();
   return with_stride(out->download(), static_cast<std::size_t>(parts) * 4, function.results.size());

@@ -14,7 +14,8 @@
 
 namespace gnomon::modules {
 
-/// Calls `function` `calls` times on the GPU, with the host functions of host/r32f over `map`. `arguments`
+/// Calls `function` `calls` times on the GPU, with the host functions of host/r32f and
+/// host/literal_extrema_rg32f over `map`, which has to have both kinds of bounds. `arguments`
 /// holds the scalars of each call one after the other; the answer does likewise. Needs a current GL context.
 /// `calls` has to be a multiple of kCallsPerRow.
 [[nodiscard]] Result<std::vector<float>> call_on_gpu(technique::ProgramCache& programs,

@@ -150,8 +150,17 @@ class GpuEqualsCpp : public ::testing::TestWithParam<std::string> {
 
   Result<gl::Context> context_ = gl::Context::create();
   technique::ProgramCache programs_{{.library_directory = kLibrary}};
-  Result<technique::Pyramid> pyramid_ =
-      context_ ? technique::build_pyramid(programs_, heights(), 0) : context_.diagnostics();
+  [[nodiscard]] Result<technique::Pyramid> build_both() {
+    if (!context_) return context_.diagnostics();
+    Result<technique::Pyramid> pyramid = technique::build_pyramid(programs_, heights(), 0);
+    if (!pyramid) return pyramid;
+    auto literal = technique::build_literal_extrema(programs_, heights());
+    if (!literal) return literal.diagnostics();
+    pyramid->literal_extrema = std::move(literal).value();
+    return pyramid;
+  }
+
+  Result<technique::Pyramid> pyramid_ = build_both();
   MapModules modules_{heights(), pyramid_ ? pyramid_->top_level() : 1};
 };
 

@@ -1,75 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "testing/gpu_rows.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "testing/row_makers.h"
 
 namespace gnomon::modules {
 namespace {
 
 using M = Modules;
 using Random = RandomArguments;
-
-// `make` gives the arguments as a tuple.
-template <class R, class... P, class Make>
-Row exact(const char* name, R (Modules::*function)(P...) const, Make make) {
-  return {.function = describe(name, function),
-          .arguments = [make](Random& random) { return scalars_of(Given<P...>(make(random))); }};
-}
-
-// `largest` gives, for the modules and the same arguments, an answer that holds the largest intermediates.
-template <class R, class... P, class Make, class Largest>
-Row within_4_ulp(const char* name, R (Modules::*function)(P...) const, Make make, Largest largest) {
-  Row row = exact(name, function, make);
-  row.largest = [largest](const Modules& modules, std::span<const float> scalars) {
-    const auto given = std::tuple_cat(std::tie(modules), take_tuple<Given<P...>>(scalars));
-    return scalars_of(Answer<R, P...>(std::apply(largest, given)));
-  };
-  return row;
-}
-
-Row deciding(Row row) {
-  row.decides = true;
-  return row;
-}
-
-// A magnitude by which only zeros of different sign pass: max(0, -0) may be either.
-constexpr float kZeroOfEitherSign = std::numeric_limits<float>::min();
-
-// The largest of the numbers that come up on the way to a bilinear height and to its slopes, in double.
-// A compiler that sees gnomon_patch too may take slope + twist * y for a mix() of the slopes at both edges
-// and distribute it, so the slopes at the far edges count.
-class Bilinear {
- public:
-  Bilinear(const M::GnomonPatch& p, dvec2 at)
-      : largest_(largest_of({p.origin, p.slope.x, p.slope.y, p.twist, double{p.slope.x} + p.twist,
-                             double{p.slope.y} + p.twist})),
-        slope_(p.slope.x + p.twist * at.y, p.slope.y + p.twist * at.x),
-        north_(p.origin + p.slope.x * at.x),
-        height_(north_ + at.y * slope_.y) {}
-
-  [[nodiscard]] float of_height(float above = 0) const {
-    return largest_of({largest_, slope_.y, north_, height_, above, above + height_});
-  }
-  [[nodiscard]] float of_slope(const M::GnomonRay& ray) const {
-    const dvec2 rise = slope_ * dvec2(ray.direction);
-    return largest_of(
-        {largest_, slope_.x, slope_.y, rise.x + rise.y, ray.rise, rise.x + rise.y - double{ray.rise}});
-  }
-
- private:
-  [[nodiscard]] static float largest_of(std::initializer_list<double> numbers) {
-    double largest = 0;
-    for (const double number : numbers) largest = std::max(largest, std::abs(number));
-    return static_cast<float>(largest);
-  }
-
-  double largest_;
-  dvec2 slope_;
-  double north_;
-  double height_;
-};
 
 std::vector<Row> map_and_shadow_rows() {
   return {
@@ -81,7 +19,7 @@ std::vector<Row> map_and_shadow_rows() {
             }),
       exact("gnomon_shadow", &M::gnomon_shadow,
             [](Random& r) {
-              return std::tuple{r.between(0, 1), r.whole(0, 200000), r.whole(0, 5)};
+              return std::tuple{r.between(0, 1), r.whole(0, 200000), r.whole(0, 6)};
             }),
       exact("gnomon_shadow_without_ray", &M::gnomon_shadow_without_ray,
             [](Random& r) { return std::tuple{r.any_sun()}; }),
@@ -352,6 +290,23 @@ std::vector<Row> view_rows() {
     return std::tuple{crossing, r.chance(0.3F) ? -clearance : clearance, crossed, r.chance(0.5F)};
   };
   return {
+      // Dot products may be summed in any order; edge-on ground divides by little.
+      within_4_ulp(
+          "gnomon_footprint", &M::gnomon_footprint,
+          [](Random& r) {
+            const auto map = r.map();
+            const vec3 normal = normalize(vec3(r.between(-1, 1), r.between(-1, 1), r.between(0.1F, 1)));
+            const vec3 direction(r.between(-1, 1), r.between(-1, 1), r.between(-1, 1));
+            return std::tuple{map, normal, direction,
+                              vec3(r.between(-100, 100), r.between(-100, 100), r.between(-100, 100))};
+          },
+          [](const M&, M::GnomonMap map, vec3 normal, vec3 direction, vec3 moved) {
+            const double facing =
+                std::min(double{dot(normal, direction)}, -1e-6 * double{length(direction)});
+            const double share = 3 * double{length(moved)} / -facing;  // of the direction, its own rounding too
+            const double error = share * double{length(direction)} * (1 + double{length(direction)} / -facing);
+            return vec2(double{length(moved)} + error) / map.spacing;
+          }),
       exact("gnomon_hit", &M::gnomon_hit,
             [](Random& r) {
               return std::tuple{vec2(r.coordinate(133), r.coordinate(70)), r.between(0, 1e5F),
@@ -424,7 +379,7 @@ std::vector<Row> view_rows() {
 std::vector<Row> rows() {
   std::vector<Row> all;
   for (auto make : {map_and_shadow_rows, decode_rows, patch_rows, ray_rows, crossing_rows, walk_rows,
-                    method_rows, relief_rows, view_rows, shading_rows}) {
+                    method_rows, relief_rows, rows_of_the_papers, view_rows, shading_rows}) {
     for (Row& row : make()) all.push_back(std::move(row));
   }
   return all;

@@ -23,6 +23,9 @@ struct Row {
   bool decides = false;
 };
 
+/// Those of the modules that hold the papers' own algorithms (gpu_rows_papers.cpp).
+[[nodiscard]] std::vector<Row> rows_of_the_papers();
+
 /// One row a function.
 [[nodiscard]] std::vector<Row> rows();
 

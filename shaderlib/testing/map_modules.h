@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "terrain/height_map.h"
+#include "terrain/level.h"
 
 namespace gnomon::modules {
 
-/// The modules over one level of a height map, with its block maxima built by relief/extrema.
+/// The modules over one level of a height map, with its block maxima built by relief/extrema and the papers'
+/// H_ext by relief/literal_extrema.
 class MapModules final : public Modules {
  public:
   explicit MapModules(terrain::HeightMap heights, int top_level = 7) : heights_(std::move(heights)) {
@@ -23,6 +25,17 @@ class MapModules final : public Modules {
       extrema_.push_back({size, {}});
       for (int y = 0; y < size.y; ++y) {
         for (int x = 0; x < size.x; ++x) extrema_.back().values.push_back(highest_of(ivec2(x, y), level));
+      }
+    }
+    const int levels = terrain::coarsest_level(heights_.width, heights_.height) - 1;
+    size = ivec2((heights_.width + 1) / 2, (heights_.height + 1) / 2);
+    for (int level = 1; level <= levels; ++level, size = (size + 1) / 2) {
+      literal_extrema_.push_back({size, {}});
+      for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x)
+          literal_extrema_.back().values.push_back(
+              level == 1 ? gnomon_literal_extrema_of_texels(ivec2(x, y))
+                         : gnomon_literal_extrema_of_blocks(ivec2(x, y), level));
       }
     }
     map_ = {.size = ivec2(heights_.width, heights_.height),
@@ -38,11 +51,15 @@ class MapModules final : public Modules {
   }
 
   [[nodiscard]] float gnomon_host_extrema(ivec2 block, int level, int) const override {
-    const auto& [size, values] = extrema_.at(static_cast<std::size_t>(level - 1));
-    const ivec2 inside = clamp(block, ivec2(0), size - 1);
-    return values[static_cast<std::size_t>(inside.y) * static_cast<std::size_t>(size.x) +
-                  static_cast<std::size_t>(inside.x)];
+    return extrema_.at(static_cast<std::size_t>(level - 1)).at(block);
   }
+
+  [[nodiscard]] vec2 gnomon_host_literal_extrema(ivec2 block, int level) const override {
+    return literal_extrema_.at(static_cast<std::size_t>(level - 1)).at(block);
+  }
+
+  /// Coarsest level of gnomon_host_literal_extrema, 0 where it has none.
+  [[nodiscard]] int literal_top_level() const { return static_cast<int>(literal_extrema_.size()); }
 
   [[nodiscard]] const terrain::HeightMap& heights() const { return heights_; }
 
@@ -53,9 +70,16 @@ class MapModules final : public Modules {
   [[nodiscard]] int step_limit() const { return 8 * (heights_.width + heights_.height); }
 
  private:
+  template <class Value>
   struct Level {
     ivec2 size;
-    std::vector<float> values;
+    std::vector<Value> values;
+
+    [[nodiscard]] Value at(ivec2 block) const {
+      const ivec2 inside = clamp(block, ivec2(0), size - 1);
+      return values[static_cast<std::size_t>(inside.y) * static_cast<std::size_t>(size.x) +
+                    static_cast<std::size_t>(inside.x)];
+    }
   };
 
   [[nodiscard]] float highest_of(ivec2 block, int level) const {
@@ -63,7 +87,8 @@ class MapModules final : public Modules {
   }
 
   terrain::HeightMap heights_;
-  std::vector<Level> extrema_;
+  std::vector<Level<float>> extrema_;
+  std::vector<Level<vec2>> literal_extrema_;
   GnomonMap map_{};
 };
 

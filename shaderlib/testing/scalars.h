@@ -61,6 +61,18 @@ void visit_members(Modules::GnomonCursor& cursor, V&& visit) {
   visit("cause", cursor.cause);
 }
 template <class V>
+void visit_members(Modules::GnomonTransit& transit, V&& visit) {
+  visit("t", transit.t);
+  visit("offset", transit.offset);
+}
+template <class V>
+void visit_members(Modules::GnomonTrack& track, V&& visit) {
+  visit("start", track.start);
+  visit("height", track.height);
+  visit("direction", track.direction);
+  visit("to_sun", track.to_sun);
+}
+template <class V>
 void visit_members(Modules::GnomonShadow& shadow, V&& visit) {
   visit("shadow", shadow.shadow);
   visit("steps", shadow.steps);
@@ -102,6 +114,8 @@ template <class T>
   if constexpr (std::same_as<T, Modules::GnomonPatch>) return "GnomonPatch";
   if constexpr (std::same_as<T, Modules::GnomonCrossing>) return "GnomonCrossing";
   if constexpr (std::same_as<T, Modules::GnomonCursor>) return "GnomonCursor";
+  if constexpr (std::same_as<T, Modules::GnomonTransit>) return "GnomonTransit";
+  if constexpr (std::same_as<T, Modules::GnomonTrack>) return "GnomonTrack";
   if constexpr (std::same_as<T, Modules::GnomonShadow>) return "GnomonShadow";
   if constexpr (std::same_as<T, Modules::GnomonSpan>) return "GnomonSpan";
   if constexpr (std::same_as<T, Modules::GnomonHit>) return "GnomonHit";
