@@ -181,7 +181,8 @@ Result<image::Image> Engine::render_with_gl(const Scene& scene, const Map& map,
   if (!info) return info.diagnostics();
   technique::Pyramids pyramids;
   for (const int q : ground.levels()) {
-    const Result<const technique::Pyramid*> built = pyramid(map, q, technique::find_technique(scene.shadow.method)->bounds);
+    const Result<const technique::Pyramid*> built =
+        pyramid(map, q, technique::find_technique(scene.shadow.method)->bounds);
     if (!built) return in_scene(built.diagnostics(), scene);
     pyramids[q] = *built;
   }

@@ -75,8 +75,7 @@ Ground map_ground(const scene::MapCamera& camera, const scene::Shadow& shadow,
   ground.valid.assign(ground.pixels(), 1.0F);
   if (!shadow.q) {
     const glm::vec2 step = ground.texels_per_pixel;
-    const int level =
-        level_of_detail(MapHost(map), {step.x, 0}, {0, step.y}, shadow, coarsest_of(map));
+    const int level = level_of_detail(MapHost(map), {step.x, 0}, {0, step.y}, shadow, coarsest_of(map));
     ground.q.assign(ground.pixels(), static_cast<float>(level));
   }
   std::size_t i = 0;
@@ -137,6 +136,15 @@ Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& 
       ground.column[i] = static_cast<float>(std::clamp(at.x / map.spacing_x, 0.0, map.domain_width));
       ground.row[i] =
           static_cast<float>(std::clamp(map.domain_height - at.y / map.spacing_y, 0.0, map.domain_height));
+      if (shadow.q) continue;
+      const glm::vec3 normal =
+          host.gnomon_surface_normal(taken, host.gnomon_receiver_at(ground.column[i], ground.row[i], 0), 0);
+      const auto footprint = [&](glm::dvec3 pixel) {
+        const glm::vec3 moved(rays.perspective ? pixel * *hit : pixel);
+        return host.gnomon_footprint(taken, normal, glm::vec3(direction), moved);
+      };
+      ground.q[i] = static_cast<float>(
+          level_of_detail(host, footprint(rays.right), footprint(rays.down), shadow, coarsest));
     }
   }
   return ground;

@@ -91,8 +91,8 @@ void light_reference(const terrain::HeightMap& map, const scene::Scene& scene, c
     if (ground.valid[i] == 0) continue;
     const auto receiver = host.gnomon_receiver_at(ground.column[i], ground.row[i], 0);
     const glm::vec3 colour =
-        host.gnomon_lit(albedo[i], host.gnomon_surface_normal(host.map(), receiver, 0), to_sun_single(scene.sun),
-                        k_shadow[i], static_cast<float>(scene.ground.ambient));
+        host.gnomon_lit(albedo[i], host.gnomon_surface_normal(host.map(), receiver, 0),
+                        to_sun_single(scene.sun), k_shadow[i], static_cast<float>(scene.ground.ambient));
     for (glm::length_t c = 0; c < 3; ++c) (*planes[static_cast<std::size_t>(c)])[i] = colour[c];
   }
 }

@@ -301,11 +301,12 @@ std::vector<Row> view_rows() {
                               vec3(r.between(-100, 100), r.between(-100, 100), r.between(-100, 100))};
           },
           [](const M&, M::GnomonMap map, vec3 normal, vec3 direction, vec3 moved) {
-            const double facing =
-                std::min(double{dot(normal, direction)}, -1e-6 * double{length(direction)});
-            const double share = 3 * double{length(moved)} / -facing;  // of the direction, its own rounding too
-            const double error = share * double{length(direction)} * (1 + double{length(direction)} / -facing);
-            return vec2(double{length(moved)} + error) / map.spacing;
+            const double facing = std::min(double{dot(normal, direction)}, -1e-6 * double{length(direction)});
+            const double share =
+                3 * double{length(moved)} / -facing;  // of the direction, its own rounding too
+            const double error =
+                share * double{length(direction)} * (1 + double{length(direction)} / -facing);
+            return vec2(static_cast<float>(double{length(moved)} + error)) / map.spacing;
           }),
       exact("gnomon_hit", &M::gnomon_hit,
             [](Random& r) {

@@ -22,7 +22,8 @@ TEST(Footprint, FromStraightAboveIsThePixelItself) {
 }
 
 TEST(Footprint, StretchesAlongALowRay) {
-  // 30 degrees above flat ground, looking east: a step across the ray, upward, is twice as long on the ground.
+  // 30 degrees above flat ground, looking east: a step across the ray, upward, is twice as long on the
+  // ground.
   const vec3 direction(std::sqrt(0.75F), 0, -0.5F);
   const vec3 up(0.5F, 0, std::sqrt(0.75F));
   const vec2 far = kFlat.gnomon_footprint(map_of(vec2(1)), vec3(0, 0, 1), direction, up);
