@@ -42,6 +42,25 @@ std::string link_program(GLuint program) {
   return log.empty() ? "no reason given" : first_line(log);
 }
 
+bool is_sampler(GLint type) {
+  return type == GL_SAMPLER_2D || type == GL_INT_SAMPLER_2D || type == GL_UNSIGNED_INT_SAMPLER_2D ||
+         type == GL_SAMPLER_BUFFER;
+}
+
+/// Two samplers of different types on one unit make every draw fail, also where a draw uses only one of them
+/// and leaves the other at its initial unit 0: each begins on a unit of its own, above those that draws bind.
+void spread_samplers(GLuint program) {
+  constexpr GLint kFirstSpareUnit = 32;
+  GLint count = 0;
+  glGetProgramInterfaceiv(program, GL_UNIFORM, GL_ACTIVE_RESOURCES, &count);
+  for (GLint i = 0; i < count; ++i) {
+    constexpr GLenum kWanted[] = {GL_TYPE, GL_LOCATION};
+    GLint found[2] = {};
+    glGetProgramResourceiv(program, GL_UNIFORM, static_cast<GLuint>(i), 2, kWanted, 2, nullptr, found);
+    if (is_sampler(found[0])) glProgramUniform1i(program, found[1], kFirstSpareUnit + i);
+  }
+}
+
 }  // namespace
 
 Result<Program> Program::link(const std::string& name, const std::string& vertex_source,
@@ -50,7 +69,10 @@ Result<Program> Program::link(const std::string& name, const std::string& vertex
   std::string failure = attach(program.name(), GL_VERTEX_SHADER, vertex_source);
   if (failure.empty()) failure = attach(program.name(), GL_FRAGMENT_SHADER, fragment_source);
   if (failure.empty()) failure = link_program(program.name());
-  if (failure.empty()) return program;
+  if (failure.empty()) {
+    spread_samplers(program.name());
+    return program;
+  }
   return Diagnostic{.file = name,
                     .message = "the OpenGL driver refuses this program: " + failure,
                     .failure = Failure::kFailed};

@@ -28,18 +28,28 @@ float gnomon_scaled_height(int stored, float scale, float offset) {
 }
 
 // whole / 10 rounded once, from a quotient that is off by a few units in the last place, as GPUs divide. |whole| is an
-// integer below 2^24. The remainder is exact: both differences are of numbers within a factor of two.
-float gnomon_exact_tenth(float whole, float quotient) {
-  GNOMON_PRECISE float most = whole - 8.0f * quotient;
-  GNOMON_PRECISE float remainder = most - 2.0f * quotient;
-  GNOMON_PRECISE float tenth = quotient + remainder * 0.1f;
-  return tenth;
+// integer below 2^24. In integers, which no compiler reorders and no GPU rounds: quotient = mantissa * 2^-shift, and what
+// is missing, whole * 2^shift - 10 * mantissa, tells by how many units it is off. There are no ties: both terms are even.
+// A second pass, because units change where the first one crosses a power of two; from such a power down they are half
+// as large.
+float gnomon_exact_tenth(int whole, float quotient) {
+  if (whole == 0) return 0.0f;
+  int bits = floatBitsToInt(abs(quotient));
+  for (int pass = 0; pass < 2; ++pass) {
+    int mantissa = (bits & 0x7fffff) | 0x800000;
+    int shift = 150 - (bits >> 23);
+    int missing = (abs(whole) << shift) - 10 * mantissa;
+    if (missing < 0 && mantissa == 0x800000) missing += missing;
+    bits += missing >= 0 ? (missing + 5) / 10 : -((5 - missing) / 10);
+  }
+  float tenth = intBitsToFloat(bits);
+  return whole < 0 ? -tenth : tenth;
 }
 
 // Mapbox Terrain-RGB: -10000 + stored * 0.1 metres, rounded once.
 float gnomon_terrain_rgb_height(int stored) {
-  float decimetres = float(stored - 100000);
-  return gnomon_exact_tenth(decimetres, decimetres / 10.0f);
+  int decimetres = stored - 100000;
+  return gnomon_exact_tenth(decimetres, float(decimetres) / 10.0f);
 }
 
 // Terrarium: stored / 256 - 32768 metres, always exact.

@@ -23,8 +23,8 @@ TEST(Decode, NormalisedChannelsGiveTheirIntegerBack) {
 
 TEST(Decode, TerrainRgbIsRoundedOnceHoweverAGpuDivides) {
   for (int stored = 0; stored <= 0xFFFFFF; ++stored) {
-    const auto decimetres = static_cast<float>(stored - 100000);
-    const float expected = decimetres / 10.0F;  // IEEE 754: rounded once
+    const int decimetres = stored - 100000;
+    const float expected = static_cast<float>(decimetres) / 10.0F;  // IEEE 754: rounded once
     float above = expected;
     float below = expected;
     for (int units = 0; units <= 3; ++units) {

@@ -58,12 +58,12 @@ std::vector<Row> decode_rows() {
             [](Random& r) {
               return std::tuple{r.whole(0, 65535), r.power_of_ten(-4, 2), r.power_of_ten(0, 5)};
             }),
-      exact(
-          "gnomon_exact_tenth", &M::gnomon_exact_tenth,
-          [](Random& r) {
-            const auto whole = static_cast<float>(r.whole(-16777215, 16777215));
-            return std::tuple{whole, whole / 10.0F * (1.0F + 0x1p-23F * static_cast<float>(r.whole(-3, 3)))};
-          }),
+      exact("gnomon_exact_tenth", &M::gnomon_exact_tenth,
+            [](Random& r) {
+              const int whole = r.whole(-16777215, 16777215);
+              const float off = 1.0F + 0x1p-23F * static_cast<float>(r.whole(-3, 3));
+              return std::tuple{whole, static_cast<float>(whole) / 10.0F * off};
+            }),
       exact("gnomon_terrain_rgb_height", &M::gnomon_terrain_rgb_height,
             [](Random& r) { return std::tuple{r.whole(0, 0xFFFFFF)}; }),
       exact("gnomon_terrarium_height", &M::gnomon_terrarium_height,
