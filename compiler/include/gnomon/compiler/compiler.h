@@ -26,7 +26,9 @@ enum class Format {
 /// Whose rules the text has to keep, beside those of its #version.
 enum class Rules { kOpenGl, kOpenGlSpirv, kVulkan };
 
-/// The dialects and formats that `build` writes. A new target is one row of the table in src/target.cpp.
+/// The dialects and formats that `build` writes. A new target is a row of the table in src/target.cpp, a
+/// suffix in cmake/GnomonShaders.cmake, a value of `target` in docs/reflection.schema.json and a row in
+/// docs/compiler.md; a test compares them.
 struct Target {
   std::string name;           ///< "glsl450"
   std::string version_line;   ///< "#version 450 core": of the text that is validated
