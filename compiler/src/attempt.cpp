@@ -15,6 +15,7 @@
 #include "reflect.h"
 #include "shader.h"
 #include "spirv.h"
+#include "target_words.h"
 #include "text.h"
 
 namespace gnomon::compiler {
@@ -74,13 +75,22 @@ Refusal refuse_stage(const Assembled& assembled, Stage stage, const Target& targ
           Refusal::Of::kStage};
 }
 
-Refusal refuse_text(const Assembled& assembled, const Message& error) {
+std::string_view line_at(std::string_view text, int number) {
+  for (int i = 1; i < number && !text.empty(); ++i)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+Refusal refuse_text(const Assembled& assembled, const Message& error, const Target& target) {
   const auto last = std::min(assembled.origins.size(), static_cast<size_t>(std::max(error.line, 0)));
   const auto end = assembled.origins.begin() + static_cast<std::ptrdiff_t>(last);
   // Lines that stand for options or were added for the target have no number of their own.
   const auto added = std::count(assembled.origins.begin(), end, LineOrigin{0, 0});
-  return {locate_message(assembled, error), Refusal::Of::kText,
-          static_cast<int>(last) - static_cast<int>(added)};
+  const std::string code = blank_comments(assembled.text);
+  return {.diagnostic = locate_message(assembled, error),
+          .of = Refusal::Of::kText,
+          .lacking = lacking_word(line_at(code, error.line), target).value_or(""),
+          .place = static_cast<int>(last) - static_cast<int>(added)};
 }
 
 // Two resources at one place, where the source told them apart by sets or left their numbers open.
@@ -189,7 +199,7 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
     shader.spirv = std::move(complete.spirv);
   }
   if (shader.error) {
-    result.refusal = refuse_text(source, *shader.error);
+    result.refusal = refuse_text(source, *shader.error, target);
     return result;
   }
   add_warnings(shader, source);

@@ -165,6 +165,40 @@ TEST_F(Targets, GeometryShadersAreRefusedWhereThereAreNone) {
       "glsl450, glsl330, vulkan and opengl");
 }
 
+// glslang takes the word for a name, or for a reserved one, and says something about that.
+TEST_F(Targets, AWordThatADialectDoesNotHaveIsToldAsThat) {
+  struct Case {
+    std::string declaration;
+    std::vector<std::string> targets;
+    std::string expected;
+  };
+  const std::vector<Case> cases = {
+      {"layout(std430) buffer B { float x; };",
+       {"glsl330", "essl300"},
+       "'buffer': the target has no storage blocks"},
+      {"buffer B { float x; };", {"glsl330", "essl300"}, "'buffer': the target has no storage blocks"},
+      {"uniform texture2D x;",
+       {"glsl450", "essl310", "opengl"},
+       "'texture2D': the target has no textures apart from"},
+      {"uniform samplerBuffer x;",
+       {"essl300", "essl310"},
+       "'samplerBuffer': the target has no texture buffers"},
+      {"uniform double x;", {"glsl330", "essl300", "essl310"}, "'double': the target has no doubles"},
+      {"layout(location = 0) noperspective in vec4 x;",
+       {"essl300", "essl310"},
+       "'noperspective': the target has no interpolation without"},
+      {"uniform sampler1D x;", {"essl310"}, "'sampler1D': the target has no one-dimensional textures"}};
+  for (const Case& c : cases) {
+    for (const std::string& target : c.targets) {
+      const std::string told =
+          error(target, "a.frag",
+                "// buffer\n" + c.declaration + "\nout vec4 o;\nvoid main() { o = vec4(1.0); }\n");
+      EXPECT_EQ(told.substr(0, 17 + c.expected.size()), "a.frag:2: error: " + c.expected) << told;
+      EXPECT_NE(told.find("; refused for the target " + target + ", taken by "), std::string::npos) << told;
+    }
+  }
+}
+
 TEST_F(Targets, AMistakeIsNoLackOfTheTarget) {
   for (const Target& target : targets())
     EXPECT_EQ(error(target.name, "a.frag", "void main() {\n  x = 1;\n}\n"),
