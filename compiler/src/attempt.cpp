@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "attempt.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -105,33 +106,44 @@ std::optional<Refusal> refuse_shared_binding(const Assembled& source, const Shad
   return Refusal{locate(source, line, shared->message), Refusal::Of::kOutput};
 }
 
-// The name that a message of SPIRV-Cross, SPIRV-Tools or glslang is about, where it tells one: "(name: x)",
-// "<id> '7[%x]'", "'x' : ...".
-std::string name_in(std::string_view message) {
-  constexpr std::array<std::array<std::string_view, 2>, 3> quotes = {
-      {{"(name: ", ")"}, {"[%", "]"}, {"'", "'"}}};
-  std::string name;
-  for (const auto& [open, close] : quotes) {
-    // The last one: of a member of a block, not the block's.
-    for (size_t at = message.find(open); at != message.npos;) {
-      const size_t begin = at + open.size();
-      const size_t end = message.find(close, begin);
-      if (end == message.npos) break;
-      name = message.substr(begin, end - begin);
-      at = message.find(open, end + close.size());
-    }
-    if (is_identifier(name)) return name;
+// What a message of SPIRV-Cross, SPIRV-Tools or glslang puts between two marks, all of them.
+std::vector<std::string> names_between(std::string_view message, std::string_view open,
+                                       std::string_view close) {
+  std::vector<std::string> names;
+  for (size_t at = message.find(open); at != message.npos;) {
+    const size_t begin = at + open.size();
+    const size_t end = message.find(close, begin);
+    if (end == message.npos) break;
+    const std::string_view name = message.substr(begin, end - begin);
+    if (is_identifier(name)) names.emplace_back(name);
+    at = message.find(open, end + close.size());
+  }
+  return names;
+}
+
+// "(name: block) ... (name: member)", "<id> '7[%x]'", "'x' : ...".
+std::vector<std::string> names_in(std::string_view message) {
+  for (const auto& [open, close] : {std::pair{"(name: ", ")"}, {"[%", "]"}, {"'", "'"}}) {
+    if (auto names = names_between(message, open, close); !names.empty()) return names;
   }
   return {};
 }
 
 // By a program behind glslang, which knows no lines.
-Refusal refuse_translation(const Compiled& compiled, const Target& target, const std::string& message) {
+Refusal refuse_translation(const Compiled& compiled, const Target& target, std::string message) {
   const Assembled& source = compiled.source;
-  const std::string name = name_in(message);
-  const int line =
-      name.empty() ? 1 : DeclarationLines(source.text, compiled.reflection.stage, target).of(name);
-  return {locate(source, line, message), Refusal::Of::kOutput};
+  const std::vector<std::string> names = names_in(message);
+  const bool is_packing = message.find("cannot be expressed with") != message.npos && names.size() == 2;
+  if (is_packing)
+    message = fmt::format(
+        "'{}', a member of the block '{}': {} cannot put it where the layout of the source "
+        "does: make its members vec4s, and arrays of vec4s",
+        names[1], names[0], target.description);
+  int line =
+      names.empty() ? 0 : DeclarationLines(source.text, compiled.reflection.stage, target).of(names.back());
+  Diagnostic diagnostic = locate(source, line, message);
+  if (line == 0) diagnostic.line = 0;  // better no line than a wrong one
+  return {std::move(diagnostic), Refusal::Of::kOutput};
 }
 
 // Text, SPIR-V or translation.

@@ -2,6 +2,7 @@
 // Reads what a shader is made of off glslang's syntax tree.
 #pragma once
 
+#include "declarations.h"
 #include "shader.h"
 
 class TIntermNode;
@@ -18,8 +19,9 @@ void find_functions(TIntermNode& root, Shader& shader);
 /// Lines of the loops that are not bounded in the sense of build(), in the order of the text.
 [[nodiscard]] std::vector<int> find_unbounded_loops(TIntermNode& root);
 
-/// The first uniform or buffer that has too many members to be listed, each array element counted.
-[[nodiscard]] std::optional<Message> find_oversized_uniform(TIntermNode& root);
+/// The first uniform or buffer that has too many members to be listed, each array element counted, or more
+/// bytes than an int counts.
+[[nodiscard]] std::optional<Message> find_oversized_uniform(TIntermNode& root, DeclarationLines& lines);
 
 /// Takes a type apart.
 [[nodiscard]] Type read_type(const glslang::TType& type);

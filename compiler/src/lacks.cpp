@@ -118,9 +118,7 @@ class LackFinder : public LiveCode {
     check_builtin(type.getQualifier().builtIn, name, line);
     check_double(type, line);
     const bool passes = type.getQualifier().isPipeInput() || type.getQualifier().isPipeOutput();
-    if (passes && type.isArrayOfArrays() && target_.format == Format::kMsl)
-      lack(lines_.of(name), name, fmt::format("{} passes no arrays of arrays between stages", language()),
-           "give the array one dimension");
+    if (passes) check_passing(type, name);
     if (type.getQualifier().isUniformOrBuffer())
       check_uniform(type, is_block(type) ? type.getTypeName().c_str() : name);
   }
@@ -160,6 +158,7 @@ class LackFinder : public LiveCode {
     const int line = node->getLoc().line;
     check_operation(node->getOp(), line);
     if (node->getOp() == glslang::EOpImageLoad) check_load(*node, line);
+    check_comparison(*node, line);
     if (target_.format == Format::kHlsl && is_shadow_gather(*node))
       lack(line, "textureGather", "not translated to HLSL for samplers that compare",
            "compare by four texelFetch");
@@ -213,6 +212,21 @@ class LackFinder : public LiveCode {
     return type.getBasicType() == glslang::EbtSampler && type.getSampler().isShadow();
   }
 
+  // Comparing with a bias or with gradients is of MSL 2.3.
+  void check_comparison(const glslang::TIntermAggregate& node, int line) {
+    const auto* first_argument =
+        node.getSequence().empty() ? nullptr : node.getSequence().front()->getAsTyped();
+    if (target_.format != Format::kMsl || first_argument == nullptr) return;
+    const TType& type = first_argument->getType();
+    if (type.getBasicType() != glslang::EbtSampler || !type.getSampler().isShadow()) return;
+    // What a cube array compares with is an argument of its own.
+    const bool is_cube_array = type.getSampler().dim == glslang::EsdCube && type.getSampler().isArrayed();
+    if (node.getOp() == glslang::EOpTexture && node.getSequence().size() == 3 && !is_cube_array)
+      lack(line, "texture", fmt::format("{} compares without a bias", language()), "give no third argument");
+    if (node.getOp() == glslang::EOpTextureGrad || node.getOp() == glslang::EOpTextureGradOffset)
+      lack(line, "textureGrad", fmt::format("{} compares without gradients", language()), "write textureLod");
+  }
+
   void check_load(const glslang::TIntermAggregate& node, int line) {
     const TIntermSymbol* image = root_of(node.getSequence().front()->getAsTyped());
     if (target_.format != Format::kHlsl || image == nullptr) return;
@@ -222,6 +236,16 @@ class LackFinder : public LiveCode {
          fmt::format("{} loads from an image that it may write only where its format is r32f, r32i or r32ui",
                      language()),
          "declare it readonly, or change its format");
+  }
+
+  void check_passing(const TType& type, const std::string& name) {
+    if (type.isArrayOfArrays() && target_.format == Format::kMsl)
+      lack(lines_.of(name), name, fmt::format("{} passes no arrays of arrays between stages", language()),
+           "give the array one dimension");
+    const bool is_translated = target_.format == Format::kHlsl || target_.format == Format::kMsl;
+    if (type.isArray() && type.isMatrix() && is_translated)
+      lack(lines_.of(name), name, fmt::format("{} passes no arrays of matrices between stages", language()),
+           "pass their columns");
   }
 
   void check_uniform(const TType& type, const std::string& name) {

@@ -98,8 +98,23 @@ INSTANTIATE_TEST_SUITE_P(
              "a.frag:3: error: 'interpolateAtCentroid': MSL"},
         Lack{"frag", "layout(std430) buffer L { float x[]; };", "o.x = float(x.length());", "msl21",
              "a.frag:3: error: 'length()': MSL"},
+        Lack{"frag", "uniform sampler2DShadow t;", "o.x = texture(t, vec3(0), 1.0);", "msl21",
+             "a.frag:3: error: 'texture': MSL 2.1 compares without a bias"},
+        Lack{"frag", "layout(location = 0) in mat4 m[2];", "o = m[1][0];", "msl21",
+             "a.frag:1: error: 'm': MSL 2.1 passes no arrays of matrices"},
         Lack{"frag", "uniform sampler1DShadow t;", "o.x = texture(t, vec3(0));", "msl21",
              "a.frag:1: error: 't': MSL 2.1 has no sampler1DShadow"}));
+
+// By SPIRV-Cross itself, which says a name and no line.
+INSTANTIATE_TEST_SUITE_P(
+    Translator, Lacks,
+    testing::Values(Lack{
+        "frag",
+        "float f(float inner) { return inner; } struct S { vec3 a[2]; float last; };\n"
+        "layout(std140) uniform B {\nfloat before;\nS inner; };",
+        "o = vec4(inner.last * f(before));", "hlsl50",
+        "a.frag:4: error: 'inner', a member of the block 'B': HLSL for shader model 5.0 cannot put "
+        "it where the layout of the source does"}));
 
 class Taken : public testing::Test {
  protected:

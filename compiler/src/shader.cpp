@@ -207,12 +207,12 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   }
 
   TIntermNode& root = *unit.getIntermediate()->getTreeRoot();
-  shader.error = find_oversized_uniform(root);
+  DeclarationLines lines(text, stage, target);
+  shader.error = find_oversized_uniform(root, lines);
   if (shader.error) return shader;
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);
   if (!shader.has_main) return shader;
-  DeclarationLines lines(text, stage, target);
   if (target.rules != Rules::kOpenGl)
     shader.error = first_unnumbered(find_unnumbered(*unit.getIntermediate(), stage), lines);
   if (shader.error) return shader;

@@ -34,11 +34,11 @@ constexpr auto kWords = std::to_array<Word>({
     {"sample", "inputs by sample", 400, 320},
     {"precise", "`precise`", 400, 320},
     {"atomic_uint", "atomic counters", 420, 310},
-    {"readonly", "storage blocks and images", 420, 310},
-    {"writeonly", "storage blocks and images", 420, 310},
-    {"coherent", "storage blocks and images", 420, 310},
-    {"restrict", "storage blocks and images", 420, 310},
-    {"volatile", "storage blocks and images", 420, 310},
+    {"readonly", "storage blocks or images", 420, 310},
+    {"writeonly", "storage blocks or images", 420, 310},
+    {"coherent", "storage blocks or images", 420, 310},
+    {"restrict", "storage blocks or images", 420, 310},
+    {"volatile", "storage blocks or images", 420, 310},
     {"samplerBuffer", "texture buffers", 140, 320},
     {"isamplerBuffer", "texture buffers", 140, 320},
     {"usamplerBuffer", "texture buffers", 140, 320},
@@ -108,12 +108,17 @@ bool has(const Target& target, const Word& word) {
 }  // namespace
 
 std::optional<std::string> lacking_word(std::string_view line, const Target& target) {
+  // Of several the first of the table: `buffer` before the `readonly` that it brings with it.
+  const Word* lacking = nullptr;
+  std::string_view word;
   for (const Token& token : tokenize(line)) {
-    const Word* const word = find(token.text);
-    if (word != nullptr && !has(target, *word))
-      return fmt::format("'{}': the target has no {}", token.text, word->what);
+    const Word* const row = find(token.text);
+    if (row == nullptr || has(target, *row) || (lacking != nullptr && lacking <= row)) continue;
+    lacking = row;
+    word = token.text;
   }
-  return std::nullopt;
+  if (lacking == nullptr) return std::nullopt;
+  return fmt::format("'{}': the target has no {}", word, lacking->what);
 }
 
 }  // namespace gnomon::compiler

@@ -45,29 +45,38 @@ double count_bytes(const glslang::TType& type, bool is_std430) {
 
 class UniformFinder : public glslang::TIntermTraverser {
  public:
+  explicit UniformFinder(DeclarationLines& lines) : lines_(lines) {}
+
   void visitSymbol(glslang::TIntermSymbol* node) override {
     if (oversized || !node->getQualifier().isUniformOrBuffer()) return;
     const bool is_std430 = node->getQualifier().layoutPacking == glslang::ElpStd430;
     if (count_members(node->getType()) > kMostMembers) {
       oversized =
-          Message{node->getLoc().line,
+          Message{line_of(*node),
                   fmt::format("'{}' has more than {:.0f} members, those of each array element counted: use "
                               "smaller arrays, or arrays in a structure instead of an array of structures",
                               node->getAccessName().c_str(), kMostMembers)};
     } else if (count_bytes(node->getType(), is_std430) > kMostBytes) {
-      oversized =
-          Message{node->getLoc().line, fmt::format("'{}' takes more than {:.0f} bytes: use smaller arrays",
-                                                   node->getAccessName().c_str(), kMostBytes)};
+      oversized = Message{line_of(*node), fmt::format("'{}' takes more than {:.0f} bytes: use smaller arrays",
+                                                      node->getAccessName().c_str(), kMostBytes)};
     }
   }
 
   std::optional<Message> oversized;
+
+ private:
+  int line_of(const glslang::TIntermSymbol& symbol) {
+    const bool is_block = symbol.getBasicType() == glslang::EbtBlock;
+    return lines_.of(is_block ? symbol.getType().getTypeName().c_str() : symbol.getName().c_str());
+  }
+
+  DeclarationLines& lines_;
 };
 
 }  // namespace
 
-std::optional<Message> find_oversized_uniform(TIntermNode& root) {
-  UniformFinder finder;
+std::optional<Message> find_oversized_uniform(TIntermNode& root, DeclarationLines& lines) {
+  UniformFinder finder(lines);
   root.traverse(&finder);
   return finder.oversized;
 }
