@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "attempt.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 #include <utility>
 
 #include "bindings.h"
+#include "declarations.h"
 #include "dialect.h"
 #include "entry_point.h"
 #include "origin.h"
 #include "reflect.h"
 #include "shader.h"
 #include "spirv.h"
+#include "target_words.h"
 #include "text.h"
 
 namespace gnomon::compiler {
@@ -72,40 +76,74 @@ Refusal refuse_stage(const Assembled& assembled, Stage stage, const Target& targ
           Refusal::Of::kStage};
 }
 
-Refusal refuse_text(const Assembled& assembled, const Message& error) {
+std::string_view line_at(std::string_view text, int number) {
+  for (int i = 1; i < number && !text.empty(); ++i)
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
+Refusal refuse_text(const Assembled& assembled, const Message& error, const Target& target) {
   const auto last = std::min(assembled.origins.size(), static_cast<size_t>(std::max(error.line, 0)));
   const auto end = assembled.origins.begin() + static_cast<std::ptrdiff_t>(last);
   // Lines that stand for options or were added for the target have no number of their own.
   const auto added = std::count(assembled.origins.begin(), end, LineOrigin{0, 0});
-  return {locate_message(assembled, error), Refusal::Of::kText,
-          static_cast<int>(last) - static_cast<int>(added)};
+  const std::string code = blank_comments(assembled.text);
+  return {.diagnostic = locate_message(assembled, error),
+          .of = Refusal::Of::kText,
+          .lacking = lacking_word(line_at(code, error.line), target).value_or(""),
+          .place = static_cast<int>(last) - static_cast<int>(added)};
 }
 
 // Two resources at one place, where the source told them apart by sets or left their numbers open.
-std::optional<Refusal> refuse_shared_binding(const Assembled& source, const Reflection& reflection,
+std::optional<Refusal> refuse_shared_binding(const Assembled& source, const Shader& shader, Stage stage,
                                              const Target& target, bool dropped_sets) {
   const bool is_plain_gl =
       target.rules == Rules::kOpenGl && !dropped_sets;  // there sharing is the author's wish
   if (is_plain_gl) return std::nullopt;
-  const auto shared = find_shared_binding(reflection, target);
+  const auto shared = find_shared_binding(shader.resources, target);
   if (!shared) return std::nullopt;
-  return Refusal{locate(source, line_of_word(source.text, shared->name), shared->message),
-                 Refusal::Of::kOutput};
+  const int line = DeclarationLines(source.text, stage, target).of(shared->name);
+  return Refusal{locate(source, line, shared->message), Refusal::Of::kOutput};
 }
 
-// SPIR-V has no form for a boolean that the host writes, and OpenGL's has no block to make an integer of it.
-std::optional<Refusal> refuse_booleans(const Assembled& source, const Reflection& reflection,
-                                       const Target& target) {
-  if (target.rules != Rules::kOpenGlSpirv) return std::nullopt;
-  for (const Variable& uniform : reflection.uniforms) {
-    if (uniform.type != "bool" && !uniform.type.starts_with("bvec")) continue;
-    const std::string name = uniform.name.substr(0, uniform.name.find_first_of(".["));
-    return Refusal{locate(source, line_of_word(source.text, name),
-                          "'" + uniform.name + "': a uniform of type " + uniform.type +
-                              " has no form in OpenGL's SPIR-V: make it an int or uint"),
-                   Refusal::Of::kOutput};
+// What a message of SPIRV-Cross, SPIRV-Tools or glslang puts between two marks, all of them.
+std::vector<std::string> names_between(std::string_view message, std::string_view open,
+                                       std::string_view close) {
+  std::vector<std::string> names;
+  for (size_t at = message.find(open); at != message.npos;) {
+    const size_t begin = at + open.size();
+    const size_t end = message.find(close, begin);
+    if (end == message.npos) break;
+    const std::string_view name = message.substr(begin, end - begin);
+    if (is_identifier(name)) names.emplace_back(name);
+    at = message.find(open, end + close.size());
   }
-  return std::nullopt;
+  return names;
+}
+
+// "(name: block) ... (name: member)", "<id> '7[%x]'", "'x' : ...".
+std::vector<std::string> names_in(std::string_view message) {
+  for (const auto& [open, close] : {std::pair{"(name: ", ")"}, {"[%", "]"}, {"'", "'"}}) {
+    if (auto names = names_between(message, open, close); !names.empty()) return names;
+  }
+  return {};
+}
+
+// By a program behind glslang, which knows no lines.
+Refusal refuse_translation(const Compiled& compiled, const Target& target, std::string message) {
+  const Assembled& source = compiled.source;
+  const std::vector<std::string> names = names_in(message);
+  const bool is_packing = message.find("cannot be expressed with") != message.npos && names.size() == 2;
+  if (is_packing)
+    message = fmt::format(
+        "'{}', a member of the block '{}': {} cannot put it where the layout of the source "
+        "does: make its members vec4s, and arrays of vec4s",
+        names[1], names[0], target.description);
+  int line =
+      names.empty() ? 0 : DeclarationLines(source.text, compiled.reflection.stage, target).of(names.back());
+  Diagnostic diagnostic = locate(source, line, message);
+  if (line == 0) diagnostic.line = 0;  // better no line than a wrong one
+  return {std::move(diagnostic), Refusal::Of::kOutput};
 }
 
 // Text, SPIR-V or translation.
@@ -116,23 +154,22 @@ std::optional<Refusal> make_output(const Shader& shader, const Target& target, C
   }
   compiled.reflection.spirv_size = shader.spirv.size() * sizeof(std::uint32_t);
   if (auto defect = defect_of(shader.spirv, target.rules))
-    return Refusal{locate(compiled.source, 1, "the SPIR-V made of it is not valid: " + *defect),
-                   Refusal::Of::kOutput};
+    return refuse_translation(compiled, target, "the SPIR-V made of it is not valid: " + *defect);
   if (target.format == Format::kSpirv) {
     compiled.output.assign(reinterpret_cast<const char*>(shader.spirv.data()),
                            *compiled.reflection.spirv_size);
     return std::nullopt;
   }
-  Translation translation = translate(shader.spirv, target.format);
+  const auto& blocks = compiled.reflection.blocks;
+  const auto push = std::ranges::find(blocks, BlockKind::kPushConstant, &Block::kind);
+  const int push_constants = push == blocks.end() ? 0 : push->binding.value_or(0);
+  Translation translation = translate(shader.spirv, target.format, push_constants);
   if (!translation.failure.empty())
-    return Refusal{locate(compiled.source, 1, translation.failure), Refusal::Of::kOutput};
+    return refuse_translation(compiled, target,
+                              "cannot be translated for this target: " + translation.failure);
   if (target.format == Format::kHlsl) {
     if (auto defect = defect_of_hlsl(translation.text, compiled.reflection.stage))
-      return Refusal{locate(compiled.source, 1,
-                            "the HLSL made of it is not valid, perhaps because of a name that is a word "
-                            "of HLSL: " +
-                                *defect),
-                     Refusal::Of::kOutput};
+      return refuse_translation(compiled, target, "the HLSL made of it is not valid: " + *defect);
   }
   compiled.output = std::move(translation.text);
   return std::nullopt;
@@ -167,19 +204,23 @@ Result<Attempt> attempt(const Request& request, const Target& target) {
     append_entry_point(source, shader, request.stage);
     Shader complete = compile(source.text, request.stage, target);
     shader.error = complete.error;
+    shader.objection = std::move(complete.objection);
+    shader.resources = std::move(complete.resources);
+    shader.reached = std::move(complete.reached);
     shader.interface = std::move(complete.interface);
     shader.spirv = std::move(complete.spirv);
   }
   if (shader.error) {
-    result.refusal = refuse_text(source, *shader.error);
+    result.refusal = refuse_text(source, *shader.error, target);
     return result;
   }
   add_warnings(shader, source);
   if (auto unbounded = judge_loops(shader, options, source)) return *std::move(unbounded);
   result.compiled.reflection =
       complete_reflection(shader, source, request.stage, target, options.library_directory);
-  result.refusal = refuse_shared_binding(source, shader.interface, target, dropped_sets);
-  if (!result.refusal) result.refusal = refuse_booleans(source, shader.interface, target);
+  if (shader.objection) result.refusal = {locate_message(source, *shader.objection), Refusal::Of::kOutput};
+  if (!result.refusal)
+    result.refusal = refuse_shared_binding(source, shader, request.stage, target, dropped_sets);
   if (!result.refusal) result.refusal = make_output(shader, target, result.compiled);
   return result;
 }

@@ -26,7 +26,8 @@ struct Refusal {
   };
   Diagnostic diagnostic;
   Of of = Of::kText;
-  int place = 0;  ///< of kText: lines of the sources before it, the same for every target
+  std::string lacking{};  ///< of kText: what to say where it is the target that lacks something; may be empty
+  int place = 0;          ///< of kText: lines of the sources before it, the same for every target
 };
 
 struct Attempt {

@@ -19,39 +19,27 @@ namespace {
 
 // Names that GLSL lets a variable have and that mean something else in C++, in the header itself, or as
 // macros of the systems' headers.
-constexpr auto kTaken = std::to_array<std::string_view>({"BUFSIZ",    "DOMAIN",        "EOF",
-                                                         "FALSE",     "FLT_MAX",       "FLT_MIN",
-                                                         "HUGE_VAL",  "HUGE_VALF",     "I",
-                                                         "INFINITY",  "INT32_MAX",     "INT_MAX",
-                                                         "INT_MIN",   "M_PI",          "Member",
-                                                         "NAN",       "NDEBUG",        "NULL",
-                                                         "OVERFLOW",  "RAND_MAX",      "TRUE",
-                                                         "UINT_MAX",  "UNDERFLOW",     "Variable",
-                                                         "alignas",   "alignof",       "all",
-                                                         "and",       "and_eq",        "assert",
-                                                         "auto",      "bitand",        "bitor",
-                                                         "catch",     "char",          "char16_t",
-                                                         "char32_t",  "char8_t",       "co_await",
-                                                         "co_return", "co_yield",      "compl",
-                                                         "complex",   "concept",       "const_cast",
-                                                         "consteval", "constexpr",     "constinit",
-                                                         "decltype",  "delete",        "dynamic_cast",
-                                                         "errno",     "explicit",      "export",
-                                                         "far",       "friend",        "interface",
-                                                         "linux",     "major",         "makedev",
-                                                         "max",       "min",           "minor",
-                                                         "mutable",   "near",          "new",
-                                                         "noexcept",  "not",           "not_eq",
-                                                         "nullptr",   "offsetof",      "operator",
-                                                         "or",        "or_eq",         "private",
-                                                         "protected", "register",      "reinterpret_cast",
-                                                         "requires",  "signbit",       "signed",
-                                                         "small",     "static_assert", "static_cast",
-                                                         "std",       "stderr",        "stdin",
-                                                         "stdout",    "thread_local",  "throw",
-                                                         "try",       "typeid",        "typename",
-                                                         "unix",      "virtual",       "wchar_t",
-                                                         "xor"});
+constexpr auto kTaken = std::to_array<std::string_view>(
+    {"BUFSIZ",       "DOMAIN",     "EOF",          "FALSE",     "FLT_MAX",
+     "FLT_MIN",      "HUGE_VAL",   "HUGE_VALF",    "I",         "INFINITY",
+     "INT32_MAX",    "INT_MAX",    "INT_MIN",      "M_PI",      "Member",
+     "HostFunction", "Option",     "NAN",          "NDEBUG",    "NULL",
+     "OVERFLOW",     "RAND_MAX",   "TRUE",         "UINT_MAX",  "UNDERFLOW",
+     "Variable",     "alignas",    "alignof",      "all",       "and",
+     "and_eq",       "assert",     "auto",         "bitand",    "bitor",
+     "catch",        "char",       "char16_t",     "char32_t",  "char8_t",
+     "co_await",     "co_return",  "co_yield",     "compl",     "complex",
+     "concept",      "const_cast", "consteval",    "constexpr", "constinit",
+     "decltype",     "delete",     "dynamic_cast", "errno",     "explicit",
+     "export",       "far",        "friend",       "interface", "linux",
+     "major",        "makedev",    "max",          "min",       "minor",
+     "mutable",      "near",       "new",          "noexcept",  "not",
+     "not_eq",       "nullptr",    "offsetof",     "operator",  "or",
+     "or_eq",        "private",    "protected",    "register",  "reinterpret_cast",
+     "requires",     "signbit",    "signed",       "small",     "static_assert",
+     "static_cast",  "std",        "stderr",       "stdin",     "stdout",
+     "thread_local", "throw",      "try",          "typeid",    "typename",
+     "unix",         "virtual",    "wchar_t",      "xor"});
 
 // A C++ identifier for a GLSL name ("light.position", "lights[1]"), other than those given before.
 class Names {
@@ -92,7 +80,9 @@ std::string text_constant(std::string_view text) {
     code = fmt::format("constexpr char source_bytes[] = {{");
     for (size_t i = 0; i < text.size(); ++i)
       code += fmt::format("{}'\\{:03o}',", i % 16 == 0 ? "\n    " : "", static_cast<unsigned char>(text[i]));
-    return code + fmt::format("\n}};\nconstexpr std::string_view source(source_bytes, {});\n", text.size());
+    // Ends in a zero outside of the view, as a literal does.
+    return code +
+           fmt::format("\n    '\\0'}};\nconstexpr std::string_view source(source_bytes, {});\n", text.size());
   }
   code = "constexpr std::string_view source =\n    \"\"";
   while (!text.empty()) {
@@ -122,9 +112,9 @@ int or_none(const std::optional<int>& number) {
 }
 
 std::string of_variable(const std::string& identifier, const Variable& v) {
-  return fmt::format("constexpr Variable {}{{{}, {}, {}, {}, {}, {}}};\n", identifier, literal_of(v.name),
+  return fmt::format("constexpr Variable {}{{{}, {}, {}, {}, {}, {}, {}}};\n", identifier, literal_of(v.name),
                      literal_of(v.type), v.array_size, or_none(v.location), or_none(v.set),
-                     or_none(v.binding));
+                     or_none(v.binding), or_none(v.input_attachment_index));
 }
 
 // A namespace with a constant for each variable and `all` of them.
@@ -154,12 +144,31 @@ std::string of_block(const std::string& identifier, const Block& block) {
     code += fmt::format("constexpr int {} = {};\n", names(name), number);
   };
   code += fmt::format("constexpr std::string_view {} = {};\n", names("name"), literal_of(block.name));
+  code +=
+      fmt::format("constexpr std::string_view {} = {};\n", names("kind"), literal_of(kind_name(block.kind)));
+  code += fmt::format("constexpr bool {} = {};\n", names("is_readonly"), block.is_readonly);
   add_number("array_size", block.array_size);
   add_number("size", or_none(block.size));
   add_number("set", or_none(block.set));
   add_number("binding", or_none(block.binding));
   for (const Member& member : block.members) code += of_member(names(member.name), member);
   return code + fmt::format("}}  // namespace {}\n", identifier);
+}
+
+std::string list_of_host_functions(const std::vector<HostFunction>& functions) {
+  std::string all;
+  for (const HostFunction& f : functions)
+    all += fmt::format("{}{{{}, {}}}", all.empty() ? "" : ", ", literal_of(f.name), literal_of(f.file));
+  return fmt::format("constexpr std::array<HostFunction, {}> host_functions = {{{{{}}}}};\n",
+                     functions.size(), all);
+}
+
+std::string list_of_options(const std::vector<OptionValue>& options) {
+  std::string all;
+  for (const OptionValue& o : options)
+    all += fmt::format("{}{{{}, {}, {}}}", all.empty() ? "" : ", ", literal_of(o.name), literal_of(o.value),
+                       literal_of(o.default_value));
+  return fmt::format("constexpr std::array<Option, {}> options = {{{{{}}}}};\n", options.size(), all);
 }
 
 std::string of_target(const Compiled& compiled) {
@@ -182,6 +191,10 @@ std::string of_target(const Compiled& compiled) {
       code += fmt::format("constexpr int {} = {};\n", constants(constant.name), constant.id);
     code += "}  // namespace constants\n";
   }
+  code += list_of_host_functions(reflection.host_functions);
+  code += list_of_options(reflection.options);
+  if (reflection.spirv_size)
+    code += fmt::format("constexpr std::size_t spirv_size = {};\n", *reflection.spirv_size);
   if (reflection.local_size.size() == 3) {
     code += fmt::format("constexpr std::array<int, 3> local_size = {{{}, {}, {}}};\n",
                         reflection.local_size[0], reflection.local_size[1], reflection.local_size[2]);
@@ -198,6 +211,18 @@ struct Variable {
   int location;
   int set;
   int binding;
+  int input_attachment_index;
+};
+// A function of the host contract that the shader calls, and where it is defined.
+struct HostFunction {
+  std::string_view name;
+  std::string_view file;
+};
+// A macro that a module names as an option: its value in this shader, and without a definition.
+struct Option {
+  std::string_view name;
+  std::string_view value;
+  std::string_view default_value;
 };
 // Offset and strides in bytes.
 struct Member {
@@ -230,6 +255,7 @@ std::string header_text(const std::string& file, const std::string& wanted_name,
 #define {1} {2}
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 

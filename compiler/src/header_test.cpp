@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The generated header, compiled and run by a C++ compiler.
+#include <nlohmann/json.hpp>
+
 #include "gnomon/compiler/compiler.h"
 #include "temporary_program.h"
 
@@ -46,15 +48,77 @@ TEST_F(Header, HoldsTextWordsAndReflection) {
       0);
 }
 
+// Both from one shader: every value of the JSON stands in the header, and the header has no other of its
+// kind.
+TEST_F(Header, SaysWhatTheJsonSays) {
+  tree.file("library/host/h.glsl",
+            "// SPDX\n// summary: s\n// options: NAME (h): name of the sampler; FAST (off): quicker\n"
+            "#ifndef H\n#define H\n#ifndef NAME\n#define NAME h\n#endif\nuniform sampler2D NAME;\n"
+            "float gnomon_host_height(ivec2 i, int q) { return texelFetch(NAME, i, 0).r; }\n"
+            "#endif\n");
+  const std::string source =
+      "#include <gnomon/host/h.glsl>\nlayout(constant_id = 3) const int STEPS = 4;\n"
+      "layout(push_constant) uniform Push { vec4 p; mat4 m[2]; } push;\nuniform float loose;\n"
+      "layout(std430) readonly buffer Read { uint n; float list[]; };\nlayout(std430) buffer Both { vec3 "
+      "both[2][3]; };\n"
+      "layout(input_attachment_index = 1) uniform subpassInput s;\nlayout(location = 2) in vec3 v;\n"
+      "layout(location = 1) out vec4 o;\n"
+      "void main() { both[0][0] = v; o = push.p * push.m[0] * loose * list[n] * float(STEPS) + "
+      "subpassLoad(s) +\n"
+      "  gnomon_host_height(ivec2(0), 0); }\n";
+  options.embedded = {"vulkan"};
+  options.defines = {{"FAST", "\"1\""}};
+  make("a.frag", source);
+  options.target = "vulkan";
+  const auto built = build(tree.path("a.frag"), options);
+  ASSERT_TRUE(built) << to_string(built.diagnostics().front());
+  const auto json = nlohmann::json::parse(to_json(built->reflection));
+  std::string checks = "namespace s = gnomon_shaders::a_frag::vulkan;\nint wrong = 0;\n";
+  const auto check = [&](const std::string& name, const nlohmann::json& value) {
+    checks += "if (s::" + name + " != " + value.dump() + ") ++wrong;\n";
+  };
+  const auto check_all = [&](const std::string& object, const nlohmann::json& keys) {
+    for (const auto& [key, value] : keys.items())
+      check(object + "." + (key == "row_major" ? "is_row_major" : key), value);
+  };
+  for (const char* list : {"inputs", "outputs", "uniforms", "textures"}) {
+    check(std::string(list) + "::all.size()", json[list].size());
+    for (const auto& variable : json[list])
+      check_all(std::string(list) + "::" + variable["name"].get<std::string>(), variable);
+  }
+  for (auto block : json["blocks"]) {
+    const std::string name = "blocks::" + block["name"].get<std::string>();
+    for (const auto& member : block["members"])
+      check_all(name + "::" + member["name"].get<std::string>(), member);
+    check(name + "::is_readonly", block.contains("readonly"));
+    block.erase("members");
+    block.erase("readonly");
+    for (const auto& [key, value] : block.items()) check(name + "::" + key, value);
+  }
+  check("constants::STEPS", json["constants"][0]["id"]);
+  check("host_functions[0].name", json["host_functions"][0]["name"]);
+  check("host_functions[0].file", json["host_functions"][0]["file"]);
+  ASSERT_EQ(json["options"].size(), 2u);
+  for (size_t i = 0; i < 2; ++i) {
+    const std::string option = "options[" + std::to_string(i) + "].";
+    check(option + "name", json["options"][i]["name"]);
+    check(option + "value", json["options"][i]["value"]);
+    check(option + "default_value", json["options"][i]["default"]);
+  }
+  check("spirv_size", json["spirv_size"]);
+  check("spirv.size() * 4", json["spirv_size"]);
+  EXPECT_EQ(run("#include \"a.frag.h\"\n", checks + "return wrong;"), 0) << checks;
+}
+
 TEST_F(Header, LongTextsAreWhole) {
   std::string source;
   for (int i = 0; i < 4000; ++i) source += "// a line that is long enough\n";
   make("long.frag", source + "void main() {}\n// the end");
-  EXPECT_EQ(
-      run("#include \"long.frag.h\"\n",
-          "const auto source = gnomon_shaders::long_frag::glsl450::source;\n"
-          "return source.size() > 120000 && source.substr(source.size() - 11) == \"// the end\\n\" ? 0 : 3;"),
-      0);
+  EXPECT_EQ(run("#include \"long.frag.h\"\n",
+                "const auto source = gnomon_shaders::long_frag::glsl450::source;\n"
+                "return source.size() > 120000 && source.substr(source.size() - 11) == \"// the end\\n\" &&\n"
+                "    std::strlen(source.data()) == source.size() ? 0 : 3;"),
+            0);
 }
 
 TEST_F(Header, TwoOfOneNameAreAnError) {

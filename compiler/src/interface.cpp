@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <glslang/MachineIndependent/LiveTraverser.h>
-
 #include <algorithm>
 #include <map>
 #include <set>
@@ -8,6 +6,8 @@
 
 #include "block_layout.h"
 #include "inspect.h"
+#include "live_code.h"
+#include "numbering.h"
 
 namespace gnomon::compiler {
 namespace {
@@ -16,22 +16,10 @@ using glslang::TIntermSymbol;
 using glslang::TQualifier;
 using glslang::TType;
 
-// What the code that main() reaches uses of the outside world.
-class Uses : public glslang::TLiveTraverser {
+// What the code that main() reaches uses of the outside world, and which functions those are.
+class Uses : public LiveCode {
  public:
-  explicit Uses(const glslang::TIntermediate& code) : TLiveTraverser(code) {
-    pushFunction(code.getEntryPointMangledName().c_str());
-    for (TIntermNode* global : code.getTreeRoot()->getAsAggregate()->getSequence()) {
-      const glslang::TIntermAggregate* aggregate = global->getAsAggregate();
-      const bool is_initializer = aggregate == nullptr || aggregate->getOp() == glslang::EOpSequence;
-      if (is_initializer) global->traverse(this);
-    }
-    while (!destinations.empty()) {
-      TIntermNode* function = destinations.back();
-      destinations.pop_back();
-      function->traverse(this);
-    }
-  }
+  explicit Uses(const glslang::TIntermediate& code) : LiveCode(code) { traverse_live(); }
 
   void visitSymbol(TIntermSymbol* node) override { symbols.emplace(node->getName().c_str(), node); }
   bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
@@ -44,12 +32,20 @@ class Uses : public glslang::TLiveTraverser {
     return true;
   }
 
+  bool visitAggregate(glslang::TVisit visit, glslang::TIntermAggregate* node) override {
+    if (node->getOp() == glslang::EOpFunctionCall) called.insert(node->getName().c_str());
+    return LiveCode::visitAggregate(visit, node);
+  }
+
   std::map<std::string, TIntermSymbol*> symbols;
+  std::set<std::string> called;                  // signatures
   std::map<std::string, std::set<int>> members;  // that are named, of blocks and structures
 };
 
-int array_size_of(const TType& type) {
-  return type.isSizedArray() ? type.getOuterArraySize() : 0;
+std::optional<int> location_of(const TType& type) {
+  const TQualifier& qualifier = type.getQualifier();
+  if (!qualifier.hasLocation()) return std::nullopt;
+  return static_cast<int>(qualifier.layoutLocation);
 }
 
 class InterfaceReader {
@@ -116,7 +112,7 @@ class InterfaceReader {
   void add_uniform(Variable uniform, const TType& type, const TQualifier& qualifier,
                    std::optional<int>& location) {
     uniform.location = location;
-    if (location) *location += std::max(uniform.array_size, 1);
+    if (location) *location += static_cast<int>(uniform_locations(type));
     if (!type.isOpaque()) return into_.uniforms.push_back(std::move(uniform));
     uniform.set = set_of(qualifier);
     uniform.binding = binding_of(qualifier);
@@ -130,11 +126,11 @@ class InterfaceReader {
     Block block{.name = type.getTypeName().c_str(), .array_size = array_size_of(type)};
     if (qualifier.storage == glslang::EvqBuffer) block.kind = BlockKind::kStorage;
     block.is_readonly = block.kind == BlockKind::kStorage && qualifier.isReadOnly();
+    block.binding = binding_of(qualifier);
     if (qualifier.isPushConstant()) {
       block.kind = BlockKind::kPushConstant;
     } else {
       block.set = set_of(qualifier);
-      block.binding = binding_of(qualifier);
     }
     const bool is_fixed = target_.rules != Rules::kOpenGl || qualifier.layoutPacking == glslang::ElpStd140 ||
                           qualifier.layoutPacking == glslang::ElpStd430;
@@ -144,12 +140,6 @@ class InterfaceReader {
 
   static Variable variable(const std::string& name, const TType& type) {
     return {.name = name, .type = element_name(type), .array_size = array_size_of(type)};
-  }
-
-  static std::optional<int> location_of(const TType& type) {
-    const TQualifier& qualifier = type.getQualifier();
-    if (!qualifier.hasLocation()) return std::nullopt;
-    return static_cast<int>(qualifier.layoutLocation);
   }
 
   [[nodiscard]] std::optional<int> set_of(const TQualifier& qualifier) const {
@@ -195,12 +185,25 @@ std::vector<std::string> find_unnumbered(const glslang::TIntermediate& code, Sta
 }
 
 std::string element_name(const TType& type) {
-  return type.isArray() ? read_type(TType(type, 0)).name : read_type(type).name;
+  TType element;
+  element.shallowCopy(type);
+  element.clearArraySizes();
+  return read_type(element).name;
 }
 
-Reflection read_interface(const glslang::TIntermediate& code, Stage stage, const Target& target) {
-  Reflection reflection{.target = target.name, .stage = stage};
-  InterfaceReader(target, reflection).read(Uses(code));
+int array_size_of(const TType& type) {
+  if (!type.isSizedArray()) return 0;
+  int size = 1;
+  for (int i = 0; i < type.getArraySizes()->getNumDims(); ++i) size *= type.getArraySizes()->getDimSize(i);
+  return size;
+}
+
+void read_interface(const glslang::TIntermediate& code, Stage stage, const Target& target, Shader& shader) {
+  const Uses uses(code);
+  shader.reached.assign(uses.called.begin(), uses.called.end());
+  Reflection& reflection = shader.interface;
+  reflection = {.target = target.name, .stage = stage};
+  InterfaceReader(target, reflection).read(uses);
   sort_by_location(reflection.inputs);
   sort_by_location(reflection.outputs);
   std::ranges::sort(reflection.uniforms, {}, &Variable::name);
@@ -209,7 +212,6 @@ Reflection read_interface(const glslang::TIntermediate& code, Stage stage, const
   std::ranges::sort(reflection.constants, {}, &SpecializationConstant::id);
   for (int dimension = 0; stage == Stage::kCompute && dimension < 3; ++dimension)
     reflection.local_size.push_back(static_cast<int>(code.getLocalSize(dimension)));
-  return reflection;
 }
 
 }  // namespace gnomon::compiler

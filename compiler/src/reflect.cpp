@@ -18,8 +18,8 @@ std::vector<HostFunction> host_functions(const Shader& shader, const Assembled& 
                                          const std::string& library) {
   std::vector<HostFunction> functions;
   for (const Function& function : shader.defined) {
-    const bool is_called = std::ranges::find(shader.called, function.name) != shader.called.end();
-    if (!function.name.starts_with("gnomon_host_") || !is_called) continue;
+    const bool is_reached = std::ranges::find(shader.reached, function.signature) != shader.reached.end();
+    if (!function.name.starts_with("gnomon_host_") || !is_reached) continue;
     const std::string file = locate(source, function.line, {}).file;
     functions.push_back({function.name, portable_name(file, source, library)});
   }

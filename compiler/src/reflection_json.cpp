@@ -40,18 +40,6 @@ Json of(const SpecializationConstant& constant) {
   return {{"name", constant.name}, {"type", constant.type}, {"id", constant.id}};
 }
 
-const char* name_of(BlockKind kind) {
-  switch (kind) {
-    case BlockKind::kStorage:
-      return "storage";
-    case BlockKind::kPushConstant:
-      return "push_constant";
-    case BlockKind::kUniform:
-      break;
-  }
-  return "uniform";
-}
-
 Json of(const Block& block);
 
 Json of(const HostFunction& function) {
@@ -70,7 +58,7 @@ Json list_of(const std::vector<T>& items) {
 }
 
 Json of(const Block& block) {
-  Json json = {{"name", block.name}, {"kind", name_of(block.kind)}};
+  Json json = {{"name", block.name}, {"kind", kind_name(block.kind)}};
   if (block.is_readonly) json["readonly"] = true;
   put_array(json, block.array_size);
   put(json, "size", block.size);
@@ -81,6 +69,18 @@ Json of(const Block& block) {
 }
 
 }  // namespace
+
+std::string_view kind_name(BlockKind kind) {
+  switch (kind) {
+    case BlockKind::kStorage:
+      return "storage";
+    case BlockKind::kPushConstant:
+      return "push_constant";
+    case BlockKind::kUniform:
+      break;
+  }
+  return "uniform";
+}
 
 std::string to_json(const Reflection& reflection) {
   Json json = {{"version", 1}, {"target", reflection.target}};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What `gnomonc build --reflect` writes keeps to the published schema.
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -75,6 +78,33 @@ TEST_F(ReflectionSchema, RefusesWhatItDoesNotDescribe) {
         R"([{"op": "replace", "path": "/blocks/0/kind", "value": "push"}])"}) {
     EXPECT_NE(objection(good.patch(json::parse(patch))), "") << patch;
   }
+}
+
+// What else lists the targets.
+TEST(TargetTable, AreTheSameInTheBuildTheSchemaAndThePage) {
+  const std::filesystem::path docs = std::filesystem::path(GNOMON_REFLECTION_SCHEMA).parent_path();
+  const auto text_of = [](const std::filesystem::path& file) {
+    std::ifstream stream(file);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  const auto all = [](std::string text, const std::regex& pattern) {
+    std::set<std::string> names;
+    for (std::smatch match; std::regex_search(text, match, pattern); text = match.suffix())
+      names.insert(match[1]);
+    return names;
+  };
+  std::set<std::string> known;
+  std::set<std::string> reflected;
+  for (const Target& target : targets()) {
+    known.insert(target.name);
+    if (target.format != Format::kHeader) reflected.insert(target.name);
+  }
+  const std::string module = text_of(docs.parent_path() / "cmake/GnomonShaders.cmake");
+  EXPECT_EQ(all(module, std::regex("\"([a-z0-9]+):[a-z0-9.]+\"")), known);
+  const std::string page = text_of(docs / "compiler.md");
+  EXPECT_EQ(all(page.substr(0, page.find("### ")), std::regex("\n\\| `([a-z0-9]+)` \\|")), known);
+  const json schema = json::parse(text_of(docs / "reflection.schema.json"));
+  EXPECT_EQ(schema["properties"]["target"]["enum"].get<std::set<std::string>>(), reflected);
 }
 
 }  // namespace

@@ -154,6 +154,43 @@ TEST_F(Reflected, SizesAreWhatToAllocate) {
     EXPECT_EQ(reflect(target, "a.frag", source).blocks.at(0).size, 80);
 }
 
+// What the host adds is the bytes of the elements that it wants.
+TEST_F(Reflected, SizesAreWithoutTheArrayThatHasNone) {
+  const std::string source =
+      "layout(local_size_x = 8) in;\nlayout(std430, binding = 0) buffer A { float a[]; };\n"
+      "layout(std430, binding = 1) buffer B { uint n; float b[]; };\n"
+      "layout(std140, binding = 2) buffer C { uint m; vec4 c[]; };\n"
+      "layout(std430, binding = 3) buffer D { float d[2][3]; };\n"
+      "void main() { a[0] = b[n] + c[m].x + d[1][2]; }\n";
+  for (const char* target : {"glsl450", "essl310", "vulkan", "opengl", "hlsl50", "msl21"}) {
+    const Reflection r = reflect(target, "a.comp", source);
+    ASSERT_EQ(r.blocks.size(), 4u);
+    EXPECT_EQ(r.blocks[0].size, 0) << target;
+    EXPECT_EQ(r.blocks[1].size, 4) << target;
+    EXPECT_EQ(r.blocks[2].size, 16) << target;
+    EXPECT_EQ(r.blocks[3].size, 24) << target;
+    const Member& all = r.blocks[3].members.at(0);
+    EXPECT_EQ(all.type, "float");
+    EXPECT_EQ(all.array_size, 6);
+    EXPECT_EQ(all.array_stride, 4);
+  }
+}
+
+TEST_F(Reflected, WhatTakesMoreBytesThanAnIntCountsIsRefused) {
+  for (const char* target : {"glsl450", "glsl330", "vulkan", "opengl", "hlsl50"}) {
+    options.target = target;
+    const auto built =
+        build(tree.file("a.frag",
+                        "layout(std140) uniform B {\n  float first;\n  mat4 m[2000000000];\n};\n"
+                        "out vec4 o;\nvoid main() {\n  o = m[3][0];\n}\n"),
+              options);
+    ASSERT_FALSE(built) << target;
+    EXPECT_NE(to_string(built.diagnostics().front()).find("takes more than 2147483647 bytes"),
+              std::string::npos)
+        << to_string(built.diagnostics().front());
+  }
+}
+
 TEST_F(Reflected, OnlyWhatIsUsedIsListed) {
   const Reflection r = reflect("glsl450", "a.vert",
                                "in vec4 a; in vec4 unused; uniform float u; uniform float v;\n"
@@ -254,6 +291,18 @@ TEST_F(Reflected, HostFunctionsAndOptions) {
   EXPECT_EQ(r.options[0].value, "1");
   EXPECT_EQ(r.options[1].value, "mine");
   EXPECT_EQ(r.options[1].default_value, "h_texture");
+}
+
+TEST_F(Reflected, HostFunctionsThatMainDoesNotReachAreNotListed) {
+  const Reflection r = reflect(
+      "vulkan", "a.frag",
+      "float gnomon_host_height(ivec2 i, int q) { return 1.0; }\n"
+      "float gnomon_host_extrema(ivec2 b, int l, int q) { return 1.0; }\n"
+      "float never() { return gnomon_host_extrema(ivec2(0), 0, 0); }\n"
+      "float ever() { return gnomon_host_height(ivec2(0), 0); }\n"
+      "layout(location = 0) out vec4 o;\nvoid main() { o = vec4(ever()); if (false) o.x = never(); }\n");
+  ASSERT_EQ(r.host_functions.size(), 1u);
+  EXPECT_EQ(r.host_functions[0].name, "gnomon_host_height");
 }
 
 TEST_F(Reflected, JsonIsTheSameFromAnyFolder) {

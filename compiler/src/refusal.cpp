@@ -57,6 +57,7 @@ Diagnostic explain(const Request& request, const Target& target, const Refusal& 
     if (is_other && takes(request, other, refusal)) others.push_back(other.name);
   }
   Diagnostic explained = refusal.diagnostic;
+  if (!refusal.lacking.empty()) explained.message = refusal.lacking;
   explained.message += "; refused for the target " + target.name;
   if (!others.empty()) explained.message += ", taken by " + join(others);
   return explained;

@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <string_view>
 
+#include "declarations.h"
 #include "excess.h"
 #include "inspect.h"
+#include "lacks.h"
 #include "log.h"
+#include "numbering.h"
 #include "prototype.h"
 #include "text.h"
-#include "uniforms.h"
 
 namespace gnomon::compiler {
 namespace {
@@ -42,8 +44,17 @@ EShLanguage language_of(Stage stage) {
   return EShLangFragment;
 }
 
-// Uniforms outside of blocks, bindings and locations may be left open in the source: glslang fills them in.
-EShMessages set_rules(glslang::TShader& unit, Stage stage, Rules rules) {
+// Of the block that uniforms outside of blocks become: one that the text does not use.
+std::string name_of_uniforms(std::string_view text) {
+  const std::string name = "gnomon_uniforms";
+  if (text.find(name) == text.npos) return name;
+  int number = 2;
+  while (text.find(name + std::to_string(number)) != text.npos) ++number;
+  return name + std::to_string(number);
+}
+
+// Uniforms outside of blocks, bindings and locations may be left open in the source: number() fills them in.
+EShMessages set_rules(glslang::TShader& unit, const std::string& text, Stage stage, Rules rules) {
   // For plain OpenGL none of this may be called: it makes glslang accept less.
   if (rules == Rules::kOpenGl) return EShMsgDefault;
   const bool vulkan = rules == Rules::kVulkan;
@@ -55,7 +66,7 @@ EShMessages set_rules(glslang::TShader& unit, Stage stage, Rules rules) {
   unit.setAutoMapLocations(true);
   if (!vulkan) return EShMsgSpvRules;
   unit.setEnvInputVulkanRulesRelaxed();
-  unit.setGlobalUniformBlockName("gnomon_uniforms");
+  unit.setGlobalUniformBlockName(name_of_uniforms(text).c_str());
   return static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 }
 
@@ -115,7 +126,7 @@ struct Unit {
   Unit(const std::string& text, Stage stage, Rules rules)
       : string(text.data()), length(static_cast<int>(text.size())), shader(language_of(stage)) {
     shader.setStringsWithLengths(&string, &length, 1);
-    messages = set_rules(shader, stage, rules);
+    messages = set_rules(shader, text, stage, rules);
   }
 
   const char* string;
@@ -125,10 +136,10 @@ struct Unit {
 };
 
 // The first in the text; the names are in no order of it.
-std::optional<Message> first_unnumbered(const std::string& text, const std::vector<std::string>& names) {
+std::optional<Message> first_unnumbered(const std::vector<std::string>& names, DeclarationLines& lines) {
   std::optional<Message> first;
   for (const std::string& name : names) {
-    const int line = line_of_word(text, name);
+    const int line = lines.of(name);
     if (first && first->line <= line) continue;
     first = Message{
         line, fmt::format("'{}': passes between stages without a location, by which SPIR-V matches the two "
@@ -136,6 +147,28 @@ std::optional<Message> first_unnumbered(const std::string& text, const std::vect
                           name)};
   }
   return first;
+}
+
+// Numbers what is open, and says what the target cannot bind.
+void judge(glslang::TIntermediate& code, Stage stage, const Target& target, DeclarationLines& lines,
+           Shader& shader) {
+  Numbered numbered = number(code, stage, target, lines);
+  shader.objection = std::move(numbered.objection);
+  shader.resources = std::move(numbered.resources);
+  shader.outputs = numbered.outputs;
+  if (auto lack = find_lack(code, target, lines)) shader.objection = std::move(lack);
+  if (shader.objection) return;
+  if (auto wrong = find_binding_beyond(shader.resources, shader.outputs, target))
+    shader.objection = Message{lines.of(wrong->name), wrong->message};
+}
+
+// SPIR-V has no number for push constants, HLSL and MSL have.
+void bind_push_constants(Shader& shader) {
+  for (Block& block : shader.interface.blocks) {
+    const auto found = std::ranges::find(shader.resources, block.name, &Resource::name);
+    if (block.kind == BlockKind::kPushConstant && found != shader.resources.end())
+      block.binding = found->binding;
+  }
 }
 
 // What glslang must not be given.
@@ -174,22 +207,24 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   }
 
   TIntermNode& root = *unit.getIntermediate()->getTreeRoot();
-  shader.error = find_oversized_uniform(root);
+  DeclarationLines lines(text, stage, target);
+  shader.error = find_oversized_uniform(root, lines);
   if (shader.error) return shader;
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);
   if (!shader.has_main) return shader;
   if (target.rules != Rules::kOpenGl)
-    shader.error = first_unnumbered(text, find_unnumbered(*unit.getIntermediate(), stage));
+    shader.error = first_unnumbered(find_unnumbered(*unit.getIntermediate(), stage), lines);
   if (shader.error) return shader;
+  judge(*unit.getIntermediate(), stage, target, lines, shader);
   glslang::TProgram program;
   program.addShader(&unit);
-  const bool linked = program.link(messages) && (target.rules == Rules::kOpenGl || program.mapIO());
-  if (!linked) {
+  if (!program.link(messages)) {
     shader.error = read_link_log(program.getInfoLog(), text, shader);
     return shader;
   }
-  shader.interface = read_interface(*program.getIntermediate(language_of(stage)), stage, target);
+  read_interface(*program.getIntermediate(language_of(stage)), stage, target, shader);
+  bind_push_constants(shader);
   if (target.rules != Rules::kOpenGl) shader.spirv = to_spirv(program, stage);
   return shader;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gnomon/compiler/compiler.h"
+#include "resource.h"
 
 namespace gnomon::compiler {
 
@@ -60,6 +61,10 @@ struct Shader {
   std::vector<Function> undefined;   ///< called, but declared only
   std::vector<std::string> called;   ///< names of functions of the text, in the order of their first calls
   std::vector<int> unbounded_loops;  ///< lines, see build()
+  std::vector<std::string> reached;  ///< signatures of the functions that main() calls, and they
+  std::optional<Message> objection;  ///< why the target cannot express a text that is valid
+  std::vector<Resource> resources;   ///< that main() reaches, in the order of the text
+  int outputs = 0;                   ///< of a fragment shader: its highest location and one
   Reflection interface;              ///< what glslang knows of it, for a text with main
   std::vector<std::uint32_t> spirv;  ///< for a text with main and a target with rules for SPIR-V
 };

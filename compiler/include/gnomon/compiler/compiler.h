@@ -26,7 +26,9 @@ enum class Format {
 /// Whose rules the text has to keep, beside those of its #version.
 enum class Rules { kOpenGl, kOpenGlSpirv, kVulkan };
 
-/// The dialects and formats that `build` writes. A new target is one row of the table in src/target.cpp.
+/// The dialects and formats that `build` writes. A new target is a row of the table in src/target.cpp, a
+/// suffix in cmake/GnomonShaders.cmake, a value of `target` in docs/reflection.schema.json and a row in
+/// docs/compiler.md; a test compares them.
 struct Target {
   std::string name;           ///< "glsl450"
   std::string version_line;   ///< "#version 450 core": of the text that is validated
@@ -140,8 +142,8 @@ struct Compiled {
 /// What the text of a target lacks is taken out of its layout qualifiers: `set` outside of Vulkan, `binding`
 /// and the `location` of uniforms and of varyings in GLSL 3.30 and ESSL 3.00, where the host binds by name.
 /// ESSL gets `precision highp` for every type that has a precision. SPIR-V, HLSL and MSL get the bindings and
-/// locations that the source does not give; for Vulkan, HLSL and MSL uniforms outside of blocks become the
-/// block `gnomon_uniforms`.
+/// locations that the source does not give, around those that it gives; for Vulkan, HLSL and MSL uniforms
+/// outside of blocks become the block `gnomon_uniforms`.
 ///
 /// A loop without a bound is an error in a file below the library directory, a warning elsewhere. Bounded is
 /// a `for`

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gnomon/compiler/stage.h"
@@ -15,9 +16,10 @@ namespace gnomon::compiler {
 /// An input or output of a stage, a uniform outside of blocks, a texture. A number that the target does not
 /// have is absent: there the host binds by name.
 struct Variable {
-  std::string name;    ///< of a uniform in a structure its whole path: "lights[1].power"
-  std::string type;    ///< as GLSL spells it, without the outermost array: "vec3", "sampler2D"
-  int array_size = 0;  ///< 0: no array, or one whose size the shader does not give
+  std::string name;  ///< of a uniform in a structure its whole path: "lights[1].power"
+  std::string type;  ///< as GLSL spells it, without the dimensions of an array: "vec3", "sampler2D"
+  int array_size =
+      0;  ///< elements of all dimensions, the last index first; 0: no array, or one without a size
   std::optional<int> location{};
   std::optional<int> set{};  ///< of textures, for Vulkan
   std::optional<int> binding{};
@@ -30,22 +32,25 @@ struct Member {
   std::string name;  ///< "lights" for an array of structures, then "lights[0].power" for its first element
   std::string type;
   std::optional<int> offset{};         ///< bytes from the block's beginning
-  int array_size = 0;                  ///< 0: no array, or one at a storage block's end that has no size
-  std::optional<int> array_stride{};   ///< bytes from one element to the next
+  int array_size = 0;                  ///< of all dimensions; 0: no array, or one without a size at the end
+  std::optional<int> array_stride{};   ///< bytes from one element to the next, over all dimensions
   std::optional<int> matrix_stride{};  ///< bytes from one column to the next, or row where `is_row_major`
   bool is_row_major = false;
 };
 
 enum class BlockKind { kUniform, kStorage, kPushConstant };
 
+/// "uniform", "storage", "push_constant".
+[[nodiscard]] std::string_view kind_name(BlockKind kind);
+
 struct Block {
   std::string name;
   BlockKind kind = BlockKind::kUniform;
-  bool is_readonly = false;   ///< a storage block that the shader only reads
-  int array_size = 0;         ///< of an array of blocks, which has a binding for each; 0: no array
-  std::optional<int> size{};  ///< bytes to allocate; without the array at its end that has no size
-  std::optional<int> set{};   ///< for Vulkan
-  std::optional<int> binding{};
+  bool is_readonly = false;       ///< a storage block that the shader only reads
+  int array_size = 0;             ///< of an array of blocks, which has a binding for each; 0: no array
+  std::optional<int> size{};      ///< bytes to allocate; without the array at its end that has no size
+  std::optional<int> set{};       ///< for Vulkan
+  std::optional<int> binding{};   ///< of push constants in HLSL and MSL only
   std::vector<Member> members{};  ///< in the order of the source
 };
 
@@ -56,7 +61,7 @@ struct SpecializationConstant {
   int id = 0;
 };
 
-/// A function `gnomon_host_...` that the shader calls.
+/// A function `gnomon_host_...` that main() reaches.
 struct HostFunction {
   std::string name;
   std::string file;  ///< where it is defined

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "uniforms.h"
+#include "declarations.h"
 
 #include <fmt/format.h>
+#include <glslang/Include/PoolAlloc.h>
 
 #include <map>
 #include <string_view>
@@ -19,11 +20,17 @@ class GlobalScope {
   explicit GlobalScope(const std::vector<Token>& tokens) : tokens_(tokens) {}
 
   std::optional<Message> find_collision() {
+    while (at_ < tokens_.size() && !collision_) declaration();
+    return collision_;
+  }
+
+  // Of each name its first declaration.
+  std::map<std::string_view, int> read_lines() {
     while (at_ < tokens_.size()) {
       declaration();
-      if (collision_) return collision_;
+      collision_.reset();
     }
-    return std::nullopt;
+    return lines_;
   }
 
  private:
@@ -130,7 +137,22 @@ class GlobalScope {
 }  // namespace
 
 std::optional<Message> find_uniform_collision(const std::string& text) {
-  return GlobalScope(tokenize(text)).find_collision();
+  const std::vector<Token> tokens = tokenize(text);
+  return GlobalScope(tokens).find_collision();
+}
+
+int DeclarationLines::of(const std::string& name) {
+  if (lines_.empty()) {
+    // Whoever asks may be walking a tree, which goes on growing in its own memory.
+    glslang::TPoolAllocator* const in_use = &glslang::GetThreadPoolAllocator();
+    const std::string preprocessed = preprocess(text_, stage_, target_);
+    glslang::SetThreadPoolAllocator(in_use);
+    const std::vector<Token> tokens = tokenize(preprocessed);
+    for (const auto& [declared, line] : GlobalScope(tokens).read_lines())
+      lines_.emplace(std::string(declared), line);
+  }
+  const auto found = lines_.find(name);
+  return found != lines_.end() ? found->second : line_of_word(text_, name);
 }
 
 }  // namespace gnomon::compiler

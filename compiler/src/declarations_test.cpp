@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "uniforms.h"
+#include "declarations.h"
 
 #include <gtest/gtest.h>
 
