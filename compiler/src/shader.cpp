@@ -141,8 +141,10 @@ std::optional<Message> first_unnumbered(const std::string& text, const std::vect
 // What glslang must not be given.
 std::optional<Message> find_unbearable(const std::string& text, Stage stage, const Target& target) {
   if (auto excess = find_excess(text)) return excess;
+  const std::string preprocessed = preprocess(text, stage, target);
+  if (auto depth = find_depth(preprocessed, target.rules != Rules::kOpenGl)) return depth;
   if (target.rules != Rules::kVulkan) return std::nullopt;
-  return find_uniform_collision(preprocess(text, stage, target));
+  return find_uniform_collision(preprocessed);
 }
 
 }  // namespace
@@ -175,6 +177,7 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
 
   TIntermNode& root = *unit.getIntermediate()->getTreeRoot();
   shader.error = find_oversized_uniform(root);
+  if (!shader.error) shader.error = find_deep_nesting(root);
   if (shader.error) return shader;
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);
