@@ -102,12 +102,13 @@ Diagnostic unreadable(const std::string& path) {
 
 class Assembler {
  public:
-  explicit Assembler(const Options& options) : options_(options) {}
+  explicit Assembler(const Options& options)
+      : options_(options), library_(identity_of((fs::path(options.library_directory) / "").string())) {}
 
   // `bytes`: of the main file, none where it cannot be read.
   Result<Assembled> run(const std::string& path, std::optional<std::string> bytes, const Target& target) {
     result_.files.push_back(path);
-    result_.inclusions.emplace_back();
+    result_.inclusions.push_back({.in_library = is_in_library(identity_of(path))});
     if (!bytes) return unreadable(path);
     if (!scan_last_file(*std::move(bytes))) return *std::move(failure_);
     begin(target.version_line);
@@ -127,6 +128,10 @@ class Assembler {
     SourceFile source;
     bool finished = false;  // guarded, and already inlined where no conditional but guards stood around it
   };
+
+  [[nodiscard]] bool is_in_library(const std::string& identity) const {
+    return !options_.library_directory.empty() && identity.starts_with(library_);
+  }
 
   bool fail(Diagnostic diagnostic) {
     failure_ = std::move(diagnostic);
@@ -222,7 +227,7 @@ class Assembler {
     if (result_.inclusions.size() >= kMostInclusions) return fail(too_many(origin));
 
     const int inclusion = static_cast<int>(result_.inclusions.size());
-    result_.inclusions.push_back({file, origin.inclusion, origin.line});
+    result_.inclusions.push_back({file, origin.inclusion, origin.line, is_in_library(identity)});
     if (known == index_of_.end()) {
       auto bytes = read_bytes(*found);
       if (!bytes) {
@@ -293,6 +298,7 @@ class Assembler {
   }
 
   const Options& options_;
+  const std::string library_;  // the path of its folder, with a slash behind it
   Assembled result_;
   std::deque<File> files_;               // beside result_.files; references stay valid while it grows
   std::map<std::string, int> index_of_;  // identity to index

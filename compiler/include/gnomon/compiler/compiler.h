@@ -68,6 +68,7 @@ struct Inclusion {
   int file = 0;     ///< index into Assembled::files
   int parent = -1;  ///< index into Assembled::inclusions of the file with the #include, -1 for the main file
   int line = 0;     ///< 1-based line of that #include
+  bool in_library = false;  ///< the file lies in the library
 };
 
 /// File `includer` includes file `included`: both index Assembled::files.
