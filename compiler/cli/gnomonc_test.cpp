@@ -195,7 +195,9 @@ TEST_F(Gnomonc, DescriptorsAreWrittenToAndModesStay) {
 TEST_F(Gnomonc, WhatIsNoOrdinaryFileIsRefusedAtOnce) {
   EXPECT_EQ(
       run("--version > version.txt; mkfifo pipe; timeout 20 '" GNOMONC "' build pipe --stage frag").code, 2);
-  EXPECT_EQ(run("build /dev/zero --stage frag").code, 2);
+  const Outcome device = run("build /dev/zero --stage frag");
+  EXPECT_EQ(device.code, 2);
+  EXPECT_TRUE(device.err.starts_with("/dev/zero: error: is no regular file")) << device.err;
 }
 
 TEST_F(Gnomonc, UsageThatIsNearlyRight) {

@@ -74,7 +74,8 @@ bool is_dropped(const SourceLine& line) {
     name = take_word(name);
     return name == "GL_GOOGLE_include_directive" || name == "GL_ARB_shading_language_include";
   }
-  return line.directive == "include" || line.directive == "version" || line.directive == "line";
+  return is_pragma_once(line) || line.directive == "include" || line.directive == "version" ||
+         line.directive == "line";
 }
 
 // What is wrong with a #version of the main file, although the target's replaces it; empty where nothing is.
@@ -94,10 +95,14 @@ std::string defect_of_version(const SourceFile& file, const SourceLine& version)
 
 Diagnostic unreadable(const std::string& path) {
   std::error_code ignored;
-  return {.file = path,
-          .message = fs::is_directory(path, ignored)
-                         ? "is a folder: name a shader"
-                         : "cannot read the file: check the path and its permissions"};
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) return {.file = path, .message = "is a folder: name a shader"};
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return {.file = path,
+            .message =
+                "is no regular file: a pipe or device can be read only once, which targets and depfiles "
+                "need more often; save the shader to a file"};
+  return {.file = path, .message = "cannot read the file: check the path and its permissions"};
 }
 
 class Assembler {
@@ -126,7 +131,9 @@ class Assembler {
  private:
   struct File {
     SourceFile source;
-    bool finished = false;  // guarded, and already inlined where no conditional but guards stood around it
+    // Guarded, already inlined where no conditional but guards stood around it, and its guard still defined.
+    bool finished = false;
+    bool reopened = false;  // an #undef took its guard away while it was inlined
   };
 
   [[nodiscard]] bool is_in_library(const std::string& identity) const {
@@ -171,8 +178,10 @@ class Assembler {
     const int index = result_.inclusions[static_cast<size_t>(inclusion)].file;
     File& file = files_[static_cast<size_t>(index)];
     if (file.source.once) open_once(index, {inclusion, 1});
+    file.reopened = false;
     for (const SourceLine& line : file.source.lines) {
       const LineOrigin origin{inclusion, line.line};
+      if (line.directive == "undef" && !line.dead) reopen(line.argument);
       if (!is_dropped(line)) {
         emit(line.text, origin);
         continue;
@@ -183,8 +192,17 @@ class Assembler {
       if (line.ends_in_comment) emit("/*", origin);
     }
     if (file.source.once) emit("#endif", {inclusion, file.source.lines.back().line});
-    file.finished = file.source.guarded && !conditional;
+    file.finished = file.source.guarded && !conditional && !file.reopened;
     return true;
+  }
+
+  // Files whose guard is no longer defined are inlined again.
+  void reopen(std::string_view macro) {
+    for (File& file : files_) {
+      if (file.source.once || file.source.guard != macro) continue;
+      file.finished = false;
+      file.reopened = true;
+    }
   }
 
   // #pragma once as an include guard, which every GLSL compiler knows.

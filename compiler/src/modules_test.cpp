@@ -51,5 +51,14 @@ TEST(LibraryLocation, InstalledLibraryBeatsTheSourceTree) {
   EXPECT_EQ(shader_library(program), std::filesystem::canonical(tree.path("share/gnomon")).string());
 }
 
+TEST(Modules, LinksThatGoRoundAreNone) {
+  const TemporaryTree tree;
+  tree.file("library/core/a.glsl", "// summary: A.\n");
+  std::filesystem::create_symlink("x.glsl", tree.path("library/core/x.glsl"));
+  const auto modules = list_modules(tree.path("library"));
+  ASSERT_TRUE(modules);
+  EXPECT_EQ(modules->size(), 1u);
+}
+
 }  // namespace
 }  // namespace gnomon::compiler

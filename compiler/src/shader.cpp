@@ -13,7 +13,7 @@
 #include "excess.h"
 #include "inspect.h"
 #include "log.h"
-#include "prototype.h"
+#include "near_miss.h"
 #include "text.h"
 #include "uniforms.h"
 
@@ -79,16 +79,6 @@ std::string name_after(std::string_view log, std::string_view marker) {
   if (at == log.npos) return {};
   const std::string line = first_line(log.substr(at + marker.size()));
   return line.substr(0, line.find('('));
-}
-
-Message undefined_function(const std::string& name, const std::string& text, const Shader& shader) {
-  const int prototype = line_of_prototype(text, name);
-  const bool is_host_function = name.starts_with("gnomon_host_");
-  return {
-      prototype > 0 ? prototype : line_of(shader.undefined, name),
-      fmt::format("function '{}' is declared and called, but not defined: {}", name,
-                  is_host_function ? "define it, or include a ready-made host such as <gnomon/host/r32f.glsl>"
-                                   : "define it, or include the file that does")};
 }
 
 // The linker names functions, but no lines.
