@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/spelling.h"
+#include "gnomon/compiler/cpp.h"
 
 namespace gnomon::cli {
 namespace {
@@ -151,7 +152,10 @@ CommandLine finish(Typed typed) {
 void add_name(CLI::App& command, Typed& typed, const char* help) {
   command.add_option("--name", typed.command.options.name, help)
       ->check(CLI::Validator(
-          [](const std::string& name) { return compiler::parse_define(name) ? "" : "is no identifier"; }, ""))
+          [](const std::string& name) {
+            return compiler::is_cpp_name(name) ? "" : "is no name for this in C++: choose another";
+          },
+          ""))
       ->type_name("NAME");
 }
 

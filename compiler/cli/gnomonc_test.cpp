@@ -133,9 +133,11 @@ TEST_F(Gnomonc, ADashIsStandardOutput) {
   EXPECT_EQ(run("build a.frag --reflect -").code, 2);
   EXPECT_EQ(run("build a.frag -o - -MD").code, 2);
   EXPECT_EQ(run("build a.frag -o - --target vulkan").code, 2);
-  tree.file("m.glsl", "float f() { return 1.0; }\n");
+  tree.file("m.glsl", "float f() { return 1.0f; }\n");
   EXPECT_NE(run("cpp m.glsl -o -").out.find("float f() const"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(tree.path("-")));
+  for (const char* name : {"int", "class", "_X", "a__b", "1a", "std"})
+    EXPECT_EQ(run("cpp m.glsl --name " + std::string(name)).code, 2) << name;
 }
 
 TEST_F(Gnomonc, TemporaryFilesAreNobodyElses) {

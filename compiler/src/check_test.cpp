@@ -151,5 +151,18 @@ TEST_F(Check, DeepLoopsAndConditionsAreRefused) {
       << error(300, "if (n > 1) {", "}");
 }
 
+TEST_F(Check, ImagesThatAreWrittenAreParametersToo) {
+  const std::string module =
+      tree.file("m.glsl",
+                "#ifdef GL_ES\n#define HIGHP highp\n#else\n#define HIGHP\n#endif\n"
+                "void put(writeonly HIGHP image2D i, vec4 x) { imageStore(i, ivec2(0), x); }\n"
+                "void whole(writeonly HIGHP iimage2D i) { imageStore(i, ivec2(0), ivec4(1)); }\n");
+  for (const std::string target : {"glsl450", "vulkan", "essl310"}) {
+    options.target = target;
+    const auto checked = check(module, options);
+    EXPECT_TRUE(checked) << target << ": " << to_string(checked.diagnostics().front());
+  }
+}
+
 }  // namespace
 }  // namespace gnomon::compiler

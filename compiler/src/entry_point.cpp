@@ -138,10 +138,19 @@ class EntryPoint {
     return fmt::format("gnomon_check_{}_{}", function.line, parameter);
   }
 
+  // A uniform image has to have a format. glslang takes any for a parameter that is writeonly, and no other
+  // parameter, as none can have a format itself; every stage and dialect may write these.
+  static std::string_view image_format(std::string_view type) {
+    if (type.starts_with("image")) return "layout(r32f) writeonly ";
+    if (type.starts_with("iimage")) return "layout(r32i) writeonly ";
+    return type.starts_with("uimage") ? "layout(r32ui) writeonly " : "";
+  }
+
   void declare_opaque(const Function& function) {
     for (size_t i = 0; i < function.parameters.size(); ++i) {
       if (!is_opaque(function.parameters[i])) continue;
-      emit(fmt::format("uniform {} {};", function.parameters[i].type.name, opaque_name(function, i)),
+      const std::string& type = function.parameters[i].type.name;
+      emit(fmt::format("{}uniform {} {};", image_format(type), type, opaque_name(function, i)),
            origin_of(function.line));
     }
   }
