@@ -3,13 +3,13 @@
 #
 #   gnomon_add_shaders(TARGET <t> SOURCES <file>... TARGETS <target>...
 #                      [DEFINES <NAME[=VALUE]>...] [INCLUDE_DIRECTORIES <dir>...] [EMBED <target>...]
-#                      [OUTPUT_DIRECTORY <dir>] [NAME <name>])
+#                      [OUTPUT_DIRECTORY <dir>] [NAME <name>] [STAGE <vert|frag|geom|comp>])
 #
 # Compiles every source for every target with gnomonc while <t> is built, again whenever the source, a file that it
 # includes, an option or gnomonc changes. The outputs are <dir>/<file name>.<suffix>, by default in
 # ${CMAKE_CURRENT_BINARY_DIR}/<t>_shaders; the property GNOMON_SHADERS of <t> lists them with their paths. With the
 # target `header` the folder is an include directory of <t>, and NAME, for a single source, the name of its namespace:
-# two shaders whose files are called alike need it.
+# two shaders whose files are called alike need it. STAGE is for sources whose extension does not tell it.
 cmake_minimum_required(VERSION 3.25)
 
 function(gnomon_suffix_of target result)
@@ -41,7 +41,7 @@ endfunction()
 
 function(gnomon_add_shaders)
   set(lists SOURCES TARGETS DEFINES INCLUDE_DIRECTORIES EMBED)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIRECTORY;NAME" "${lists}")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;OUTPUT_DIRECTORY;NAME;STAGE" "${lists}")
   foreach(name TARGET SOURCES TARGETS)
     if(NOT arg_${name})
       message(FATAL_ERROR "gnomon_add_shaders: ${name} is missing")
@@ -49,10 +49,16 @@ function(gnomon_add_shaders)
   endforeach()
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "gnomon_add_shaders: what is \"${arg_UNPARSED_ARGUMENTS}\"? Expected TARGET, SOURCES, "
-                        "TARGETS, DEFINES, INCLUDE_DIRECTORIES, EMBED, OUTPUT_DIRECTORY or NAME before it")
+                        "TARGETS, DEFINES, INCLUDE_DIRECTORIES, EMBED, OUTPUT_DIRECTORY, NAME or STAGE before it")
   endif()
   if(NOT TARGET "${arg_TARGET}")
     message(FATAL_ERROR "gnomon_add_shaders: there is no target \"${arg_TARGET}\": add it before its shaders")
+  endif()
+  # CMake builds the outputs of a custom command only for targets of the same folder.
+  get_target_property(target_directory "${arg_TARGET}" SOURCE_DIR)
+  if(NOT target_directory STREQUAL CMAKE_CURRENT_SOURCE_DIR)
+    message(FATAL_ERROR "gnomon_add_shaders: the target \"${arg_TARGET}\" belongs to ${target_directory}: add its shaders "
+                        "in the CMakeLists.txt there, after the target")
   endif()
   if(NOT TARGET gnomon::gnomonc)
     message(FATAL_ERROR "gnomon_add_shaders: the program gnomonc is not installed beside this CMake package: install "
@@ -70,6 +76,16 @@ function(gnomon_add_shaders)
   cmake_path(ABSOLUTE_PATH arg_OUTPUT_DIRECTORY BASE_DIRECTORY "${CMAKE_CURRENT_BINARY_DIR}" NORMALIZE)
   file(MAKE_DIRECTORY "${arg_OUTPUT_DIRECTORY}")
   set(options)
+  # The form that Visual Studio finds files in.
+  if(CMAKE_GENERATOR MATCHES "Visual Studio")
+    list(APPEND options --errfmt msvc)
+  endif()
+  if(arg_STAGE)
+    if(NOT arg_STAGE MATCHES "^(vert|frag|geom|comp)$")
+      message(FATAL_ERROR "gnomon_add_shaders: unknown STAGE \"${arg_STAGE}\": known are vert, frag, geom, comp")
+    endif()
+    list(APPEND options --stage "${arg_STAGE}")
+  endif()
   foreach(define IN LISTS arg_DEFINES)
     list(APPEND options -D "${define}")
   endforeach()

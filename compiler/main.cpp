@@ -30,7 +30,11 @@ int say(const gnomon::cli::CommandLine& line) {
 
 int main(int argc, char** argv) {
   using namespace gnomon;
-  for (const int signal : {SIGINT, SIGTERM}) ::signal(signal, stop);
+  // Who was started with an interrupt ignored (nohup, a script's trap) is to stay so.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (::signal(signal, stop) == SIG_IGN) ::signal(signal, SIG_IGN);
+  }
+  ::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails instead, and is told
   const cli::CommandLine line = cli::parse_command_line(argc, argv, shader_library("/proc/self/exe"));
   return line.command ? cli::run(*line.command) : say(line);
 }

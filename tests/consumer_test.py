@@ -69,6 +69,28 @@ def check_components(folder, prefix):
     expect("--component compiler" in said, f"a component that is not installed is not named:\n{said}")
 
 
+def check_arguments(folder, prefix):
+    """STAGE for a source whose extension tells none; a target of another folder is refused."""
+    project = folder / "arguments"
+    (project / "below").mkdir(parents=True)
+    (project / "tint.glsl").write_text("out vec4 color;\nvoid main() { color = vec4(1.0); }\n")
+    text = ("cmake_minimum_required(VERSION 3.25)\nproject(arguments LANGUAGES NONE)\n"
+            "find_package(gnomon CONFIG REQUIRED COMPONENTS shaders tools)\nadd_custom_target(files ALL)\n"
+            "gnomon_add_shaders(TARGET files SOURCES tint.glsl TARGETS essl300 STAGE {stage})\n")
+    configure = (CMAKE, "-S", project, "-B", project / "build", f"-DCMAKE_PREFIX_PATH={prefix}")
+    (project / "CMakeLists.txt").write_text(text.format(stage="frag"))
+    run(*configure)
+    run(CMAKE, "--build", project / "build")
+    expect(list((project / "build").rglob("tint.glsl.essl300.glsl")), "STAGE makes no output")
+    (project / "CMakeLists.txt").write_text(text.format(stage="fragment"))
+    expect('unknown STAGE "fragment"' in run(*configure, fails=True), "a wrong STAGE is not named")
+    (project / "CMakeLists.txt").write_text(text.format(stage="frag") + "add_subdirectory(below)\n")
+    (project / "below" / "CMakeLists.txt").write_text(
+        "gnomon_add_shaders(TARGET files SOURCES ../tint.glsl TARGETS vulkan STAGE frag)\n")
+    said = " ".join(run(*configure, fails=True).split())
+    expect(f'the target "files" belongs to {project}' in said, f"a target of another folder is not refused:\n{said}")
+
+
 class Project:
     """A copy of the consumer, built with one generator."""
 
@@ -182,6 +204,7 @@ def main():
         prefix = install(folder)
         check_programs(prefix)
         check_components(folder, prefix)
+        check_arguments(folder, prefix)
         for generator in ("Ninja", "Unix Makefiles"):
             check_cmake(folder, prefix, generator)
         check_make(folder, prefix)

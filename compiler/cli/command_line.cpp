@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/spelling.h"
+#include "gnomon/compiler/cpp.h"
 
 namespace gnomon::cli {
 namespace {
@@ -118,8 +119,24 @@ std::optional<Diagnostic> wrong_number_of_files(const Command& command) {
                                command.files[0] + ", " + command.files[1]};
 }
 
+// Neither a depfile nor a message of one line has a form for it.
+std::optional<Diagnostic> wrong_line_break(const Command& command) {
+  std::vector<std::string> paths = command.files;
+  paths.insert(paths.end(), {command.output, command.reflection, command.depfile});
+  paths.insert(paths.end(), command.options.include_directories.begin(),
+               command.options.include_directories.end());
+  for (std::string path : paths) {
+    if (path.find_first_of("\r\n") == path.npos) continue;
+    for (char& c : path) c = c == '\n' || c == '\r' ? '?' : c;
+    return Diagnostic{.file = path, .message = "has a line break, shown as ?, in its name: rename it"};
+  }
+  return std::nullopt;
+}
+
 CommandLine finish(Typed typed) {
   Command& command = typed.command;
+  if (command.output == "-") command.output.clear();
+  if (const auto wrong = wrong_line_break(command)) return refuse(*wrong);
   if (const auto wrong = wrong_number_of_files(command)) return refuse(*wrong);
   if (const auto wrong = name_depfile(command, typed.wants_depfile)) return refuse(*wrong);
   if (const auto wrong = take_defines(typed.defines, command.options.defines)) return refuse(*wrong);
@@ -135,7 +152,10 @@ CommandLine finish(Typed typed) {
 void add_name(CLI::App& command, Typed& typed, const char* help) {
   command.add_option("--name", typed.command.options.name, help)
       ->check(CLI::Validator(
-          [](const std::string& name) { return compiler::parse_define(name) ? "" : "is no identifier"; }, ""))
+          [](const std::string& name) {
+            return compiler::is_cpp_name(name) ? "" : "is no name for this in C++: choose another";
+          },
+          ""))
       ->type_name("NAME");
 }
 
@@ -144,7 +164,8 @@ void add_files(CLI::App& command, Typed& typed, const char* help) {
 }
 
 void add_output(CLI::App& command, Typed& typed) {
-  command.add_option("-o", typed.command.output, "Write to OUT instead of standard output")
+  command
+      .add_option("-o", typed.command.output, "Write to OUT instead of standard output, which - means too")
       ->check(is_named)
       ->type_name("OUT");
 }
@@ -152,7 +173,9 @@ void add_output(CLI::App& command, Typed& typed) {
 void add_build(CLI::App& command, Typed& typed) {
   add_files(command, typed, "The shader, with its main()");
   add_output(command, typed);
-  command.add_option("--reflect", typed.command.reflection, "Also write what the host has to bind, as JSON")
+  command
+      .add_option("--reflect", typed.command.reflection,
+                  "Also write what the host has to bind, as JSON; -: to standard output")
       ->check(is_named)
       ->type_name("FILE");
   command

@@ -17,7 +17,7 @@ Result<Done> write_depfile(const Command& command) {
   const std::vector<std::string> files = compiler::files_read(command.files.front(), command.options);
   if (auto replaced = replaced_source(files, {command.depfile, command.output})) return *std::move(replaced);
   const std::string rule = compiler::to_depfile(command.output, files);
-  return write_file_atomically(command.depfile, std::as_bytes(std::span(rule)));
+  return write_file_atomically(path_of(command.depfile), std::as_bytes(std::span(rule)));
 }
 
 Result<std::string> graph_text(const Command& command) {

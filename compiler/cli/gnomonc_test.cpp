@@ -118,6 +118,65 @@ TEST_F(Gnomonc, OutputsAreWrittenAllOrNone) {
   EXPECT_EQ(tree.read("r.json") + tree.read("o.d"), "olderolder");
 }
 
+TEST_F(Gnomonc, StandardOutputIsWrittenBeforeFilesAreReplaced) {
+  tree.file("a.frag", "void main() {}\n");
+  tree.file("r.json", "older");
+  EXPECT_EQ(run("--version > version.txt; { '" GNOMONC "' build a.frag --reflect r.json >/dev/full; }").code,
+            99);
+  EXPECT_EQ(tree.read("r.json"), "older");
+}
+
+TEST_F(Gnomonc, ADashIsStandardOutput) {
+  tree.file("a.frag", "void main() {}\n");
+  EXPECT_EQ(run("build a.frag -o -").out, "#version 450 core\nvoid main() {}\n");
+  EXPECT_NE(run("build a.frag -o out.glsl --reflect -").out.find("\"stages\""), std::string::npos);
+  EXPECT_EQ(run("build a.frag --reflect -").code, 2);
+  EXPECT_EQ(run("build a.frag -o - -MD").code, 2);
+  EXPECT_EQ(run("build a.frag -o - --target vulkan").code, 2);
+  tree.file("m.glsl", "float f() { return 1.0f; }\n");
+  EXPECT_NE(run("cpp m.glsl -o -").out.find("float f() const"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(tree.path("-")));
+  for (const char* name : {"int", "class", "_X", "a__b", "1a", "std"})
+    EXPECT_EQ(run("cpp m.glsl --name " + std::string(name)).code, 2) << name;
+}
+
+TEST_F(Gnomonc, TemporaryFilesAreNobodyElses) {
+  tree.file("a.frag", "void main() {}\n");
+  tree.file("private", "older");
+  // Under the name that a process could foresee lies a link that waits for it.
+  const Outcome built = run("--version > version.txt; sh -c 'ln -s private out.glsl.$$.tmp; exec \"" GNOMONC
+                            "\" build a.frag -o out.glsl'");
+  EXPECT_EQ(built.code, 0);
+  EXPECT_EQ(tree.read("private"), "older");
+  EXPECT_EQ(tree.read("out.glsl"), "#version 450 core\nvoid main() {}\n");
+}
+
+TEST_F(Gnomonc, AFileThatMayNotGrowIsNinetyNine) {
+  tree.file("a.frag", "//" + std::string(100000, 'x') + "\nvoid main() {}\n");
+  const Outcome built = run("--version > version.txt; ulimit -f 2; '" GNOMONC "' build a.frag -o out.glsl");
+  EXPECT_EQ(built.code, 99) << built.err;
+  EXPECT_FALSE(std::filesystem::exists(tree.path("out.glsl")));
+}
+
+TEST_F(Gnomonc, IgnoredInterruptsStayIgnored) {
+  // Enough to be still at work when the signal comes.
+  std::string functions;
+  for (int i = 0; i < 1500; ++i) functions += "float f" + std::to_string(i) + "(float x) { return x; }\n";
+  tree.file("m.glsl", functions);
+  const std::string start = "--version > version.txt; sh -c '";
+  const std::string rest =
+      " \"" GNOMONC "\" check m.glsl --target vulkan & pid=$!; sleep 0.1; kill -HUP $pid; wait $pid'";
+  EXPECT_EQ(run(start + "trap \"\" HUP;" + rest).code, 0);
+  EXPECT_EQ(run(start + rest).code, 130);
+}
+
+TEST_F(Gnomonc, LineBreaksInNamesAreRefused) {
+  tree.file("a.frag", "void main() {}\n");
+  const Outcome built = run("--version > version.txt; \"" GNOMONC "\" build a.frag -MD -o 'a\nb'");
+  EXPECT_EQ(built.code, 2);
+  EXPECT_EQ(built.err, "a?b: error: has a line break, shown as ?, in its name: rename it\n");
+}
+
 TEST_F(Gnomonc, DescriptorsAreWrittenToAndModesStay) {
   tree.file("a.frag", "void main() {}\n");
   const Outcome appended =
@@ -138,7 +197,9 @@ TEST_F(Gnomonc, DescriptorsAreWrittenToAndModesStay) {
 TEST_F(Gnomonc, WhatIsNoOrdinaryFileIsRefusedAtOnce) {
   EXPECT_EQ(
       run("--version > version.txt; mkfifo pipe; timeout 20 '" GNOMONC "' build pipe --stage frag").code, 2);
-  EXPECT_EQ(run("build /dev/zero --stage frag").code, 2);
+  const Outcome device = run("build /dev/zero --stage frag");
+  EXPECT_EQ(device.code, 2);
+  EXPECT_TRUE(device.err.starts_with("/dev/zero: error: is no regular file")) << device.err;
 }
 
 TEST_F(Gnomonc, UsageThatIsNearlyRight) {

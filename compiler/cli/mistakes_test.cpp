@@ -33,6 +33,10 @@ std::vector<std::string> cases() {
   return names;
 }
 
+TEST(Mistakes, ThereAreEnough) {
+  EXPECT_GE(cases().size(), 30u);
+}
+
 TEST_P(Mistake, IsToldAsExpected) {
   fs::copy(fs::path(GNOMON_MISTAKES) / GetParam(), tree.path(""), fs::copy_options::recursive);
   std::string program = GNOMONC;

@@ -2,10 +2,10 @@
 #include "cli/output.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "gnomon/atomic_file.h"
 #include "gnomon/compiler/depfile.h"
@@ -13,9 +13,11 @@
 namespace gnomon::cli {
 
 Result<Done> print(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0)
-    return Done{};
-  return Diagnostic{.message = "cannot write to standard output", .failure = Failure::kMachine};
+  return write_file_atomically({}, std::as_bytes(std::span(text)));
+}
+
+std::string path_of(const std::string& output) {
+  return output == "-" ? std::string() : output;
 }
 
 std::optional<Diagnostic> replaced_source(const std::vector<std::string>& sources,
@@ -32,8 +34,14 @@ std::optional<Diagnostic> replaced_source(const std::vector<std::string>& source
 
 std::optional<Diagnostic> shared_output(const Command& command) {
   std::vector<std::filesystem::path> known;
+  bool is_stdout_taken = command.output.empty();
   for (const std::string& output : {command.output, command.reflection, command.depfile}) {
     if (output.empty()) continue;
+    if (output == "-" && std::exchange(is_stdout_taken, true))
+      return Diagnostic{.message =
+                            "two outputs are asked for on standard output: name a file for one of -o, "
+                            "--reflect and -MF"};
+    if (output == "-") continue;
     std::error_code ignored;
     const std::filesystem::path path =
         std::filesystem::weakly_canonical(std::filesystem::absolute(output, ignored), ignored);
@@ -67,11 +75,10 @@ Result<Done> write(const compiler::Compiled& shader, const Command& command) {
   const std::string json = compiler::to_json(shader.reflection);
   const std::string rule = compiler::to_depfile(command.output, shader.source.files);
   std::vector<FileContent> files;
-  if (!command.reflection.empty()) files.push_back({command.reflection, bytes_of(json)});
-  if (!command.depfile.empty()) files.push_back({command.depfile, bytes_of(rule)});
-  if (!command.output.empty()) files.push_back({command.output, bytes_of(shader.output)});
-  const Result<Done> written = write_files_atomically(files);
-  return written && command.output.empty() ? print(shader.output) : written;
+  if (!command.reflection.empty()) files.push_back({path_of(command.reflection), bytes_of(json)});
+  if (!command.depfile.empty()) files.push_back({path_of(command.depfile), bytes_of(rule)});
+  files.push_back({command.output, bytes_of(shader.output)});
+  return write_files_atomically(files);
 }
 
 }  // namespace gnomon::cli

@@ -17,6 +17,9 @@ namespace gnomon::cli {
 /// Writes to standard output. Fails (kMachine) where not all of it arrives.
 [[nodiscard]] Result<Done> print(const std::string& text);
 
+/// Where an output of the command goes: "-" is standard output, for which write_file_atomically() wants none.
+[[nodiscard]] std::string path_of(const std::string& output);
+
 /// What is wrong with a command that wants two outputs in one file; nothing else.
 [[nodiscard]] std::optional<Diagnostic> shared_output(const Command& command);
 

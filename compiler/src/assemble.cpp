@@ -74,7 +74,8 @@ bool is_dropped(const SourceLine& line) {
     name = take_word(name);
     return name == "GL_GOOGLE_include_directive" || name == "GL_ARB_shading_language_include";
   }
-  return line.directive == "include" || line.directive == "version" || line.directive == "line";
+  return is_pragma_once(line) || line.directive == "include" || line.directive == "version" ||
+         line.directive == "line";
 }
 
 // What is wrong with a #version of the main file, although the target's replaces it; empty where nothing is.
@@ -94,20 +95,25 @@ std::string defect_of_version(const SourceFile& file, const SourceLine& version)
 
 Diagnostic unreadable(const std::string& path) {
   std::error_code ignored;
-  return {.file = path,
-          .message = fs::is_directory(path, ignored)
-                         ? "is a folder: name a shader"
-                         : "cannot read the file: check the path and its permissions"};
+  const fs::file_status status = fs::status(path, ignored);
+  if (fs::is_directory(status)) return {.file = path, .message = "is a folder: name a shader"};
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return {.file = path,
+            .message =
+                "is no regular file: a pipe or device can be read only once, which targets and depfiles "
+                "need more often; save the shader to a file"};
+  return {.file = path, .message = "cannot read the file: check the path and its permissions"};
 }
 
 class Assembler {
  public:
-  explicit Assembler(const Options& options) : options_(options) {}
+  explicit Assembler(const Options& options)
+      : options_(options), library_(identity_of((fs::path(options.library_directory) / "").string())) {}
 
   // `bytes`: of the main file, none where it cannot be read.
   Result<Assembled> run(const std::string& path, std::optional<std::string> bytes, const Target& target) {
     result_.files.push_back(path);
-    result_.inclusions.emplace_back();
+    result_.inclusions.push_back({.in_library = is_in_library(identity_of(path))});
     if (!bytes) return unreadable(path);
     if (!scan_last_file(*std::move(bytes))) return *std::move(failure_);
     begin(target.version_line);
@@ -125,8 +131,14 @@ class Assembler {
  private:
   struct File {
     SourceFile source;
-    bool finished = false;  // guarded, and already inlined where no conditional but guards stood around it
+    // Guarded, already inlined where no conditional but guards stood around it, and its guard still defined.
+    bool finished = false;
+    bool reopened = false;  // an #undef took its guard away while it was inlined
   };
+
+  [[nodiscard]] bool is_in_library(const std::string& identity) const {
+    return !options_.library_directory.empty() && identity.starts_with(library_);
+  }
 
   bool fail(Diagnostic diagnostic) {
     failure_ = std::move(diagnostic);
@@ -166,8 +178,10 @@ class Assembler {
     const int index = result_.inclusions[static_cast<size_t>(inclusion)].file;
     File& file = files_[static_cast<size_t>(index)];
     if (file.source.once) open_once(index, {inclusion, 1});
+    file.reopened = false;
     for (const SourceLine& line : file.source.lines) {
       const LineOrigin origin{inclusion, line.line};
+      if (line.directive == "undef" && !line.dead) reopen(line.argument);
       if (!is_dropped(line)) {
         emit(line.text, origin);
         continue;
@@ -178,8 +192,17 @@ class Assembler {
       if (line.ends_in_comment) emit("/*", origin);
     }
     if (file.source.once) emit("#endif", {inclusion, file.source.lines.back().line});
-    file.finished = file.source.guarded && !conditional;
+    file.finished = file.source.guarded && !conditional && !file.reopened;
     return true;
+  }
+
+  // Files whose guard is no longer defined are inlined again.
+  void reopen(std::string_view macro) {
+    for (File& file : files_) {
+      if (file.source.once || file.source.guard != macro) continue;
+      file.finished = false;
+      file.reopened = true;
+    }
   }
 
   // #pragma once as an include guard, which every GLSL compiler knows.
@@ -222,7 +245,7 @@ class Assembler {
     if (result_.inclusions.size() >= kMostInclusions) return fail(too_many(origin));
 
     const int inclusion = static_cast<int>(result_.inclusions.size());
-    result_.inclusions.push_back({file, origin.inclusion, origin.line});
+    result_.inclusions.push_back({file, origin.inclusion, origin.line, is_in_library(identity)});
     if (known == index_of_.end()) {
       auto bytes = read_bytes(*found);
       if (!bytes) {
@@ -293,6 +316,7 @@ class Assembler {
   }
 
   const Options& options_;
+  const std::string library_;  // the path of its folder, with a slash behind it
   Assembled result_;
   std::deque<File> files_;               // beside result_.files; references stay valid while it grows
   std::map<std::string, int> index_of_;  // identity to index

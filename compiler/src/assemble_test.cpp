@@ -237,5 +237,21 @@ TEST_F(Assemble, UnreadableMainFileAndUnknownTargetAreInvalidInput) {
             "msl21 and header");
 }
 
+TEST_F(Assemble, AnUndefinedGuardLetsTheFileInAgain) {
+  tree.file("b.glsl", "#ifndef B\n#define B\nint b;\n#endif\n");
+  tree.file("c.glsl", "#ifndef C\n#define C\nint c;\n#undef C\n#endif\n");
+  const std::string include = "#include \"b.glsl\"\n#include \"c.glsl\"\n";
+  const std::string text = text_of(tree.file("a.frag", include + include + "#undef B\n" + include));
+  EXPECT_EQ(count(text, "int b;"), 2u);
+  EXPECT_EQ(count(text, "int c;"), 3u);
+}
+
+TEST_F(Assemble, PragmaOnceIsNotHandedOn) {
+  tree.file("b.glsl", "#pragma once /* kept: a\nb */\nint b;\n");
+  const std::string text = text_of(tree.file("a.frag", "#include \"b.glsl\"\n#include \"b.glsl\"\n"));
+  EXPECT_EQ(count(text, "once"), 0u) << text;
+  EXPECT_EQ(count(text, "int b;"), 1u) << text;
+}
+
 }  // namespace
 }  // namespace gnomon::compiler

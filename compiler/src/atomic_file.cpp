@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <list>
+#include <random>
 #include <system_error>
 #include <utility>
 
@@ -41,6 +42,7 @@ class OutputFile {
   OutputFile(const std::string& path, int flags)
       : descriptor_(::open(path.c_str(), O_WRONLY | O_CLOEXEC | flags, 0666)) {}
   explicit OutputFile(int duplicate) : descriptor_(duplicate) {}
+  OutputFile(OutputFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   ~OutputFile() {
@@ -104,6 +106,8 @@ class Replacement {
 
   // Writes all that can be taken back; false with errno set.
   [[nodiscard]] bool prepare() {
+    is_direct_ = content_.path.empty();
+    if (is_direct_) return true;
     target_ = end_of_links(content_.path);
     struct ::stat status {};
     const bool exists = ::stat(target_.c_str(), &status) == 0;
@@ -115,11 +119,8 @@ class Replacement {
     is_direct_ = exists && (!S_ISREG(status.st_mode) || target_.starts_with("/proc/"));
     if (exists && ::access(target_.c_str(), W_OK) != 0) return false;
     if (is_direct_) return true;
-    // Beside the target, so that the rename stays within one file system.
-    const std::string temporary = target_ + "." + std::to_string(::getpid()) + ".tmp";
-    OutputFile file(temporary, O_CREAT | O_TRUNC);
+    OutputFile file = create_temporary();
     if (!file.is_open()) return false;
-    temporary_ = temporary;
     return (!exists || file.set_mode(status.st_mode & 07777)) && file.write(content_.bytes) && file.flush() &&
            file.close();
   }
@@ -136,9 +137,23 @@ class Replacement {
   [[nodiscard]] const std::string& path() const { return content_.path; }
 
  private:
+  // Beside the target, so that the rename stays within one file system. Under a name that nobody foresees and
+  // nothing has, so that no link that waits there is followed.
+  [[nodiscard]] OutputFile create_temporary() {
+    constexpr int kMostTries = 100;
+    const fs::path folder = fs::path(target_).parent_path();
+    std::random_device random;
+    for (int i = 1;; ++i) {
+      const std::string name = (folder / (".gnomon-" + std::to_string(random()) + ".tmp")).string();
+      OutputFile file(name, O_CREAT | O_EXCL | O_NOFOLLOW);
+      if (file.is_open()) temporary_ = name;
+      if (file.is_open() || errno != EEXIST || i == kMostTries) return file;
+    }
+  }
+
   // Through a descriptor itself, so that what its owner writes next follows.
   [[nodiscard]] bool write_directly() const {
-    const int descriptor = descriptor_of(target_);
+    const int descriptor = content_.path.empty() ? STDOUT_FILENO : descriptor_of(target_);
     OutputFile device = descriptor >= 0 ? OutputFile(::dup(descriptor)) : OutputFile(target_, O_APPEND);
     return device.is_open() && device.write(content_.bytes) && device.close();
   }
@@ -150,8 +165,10 @@ class Replacement {
 };
 
 Diagnostic cannot_write(const std::string& path, int error) {
+  const bool is_stdout = path.empty();
   return {.file = path,
-          .message = "cannot write the file: " + std::generic_category().message(error),
+          .message = (is_stdout ? "cannot write to standard output: " : "cannot write the file: ") +
+                     std::generic_category().message(error),
           .failure = Failure::kMachine};
 }
 

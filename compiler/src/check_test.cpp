@@ -133,5 +133,36 @@ TEST_F(Check, EmptyModule) {
   EXPECT_EQ(error_in("// nothing\n"), "no error");
 }
 
+TEST_F(Check, DeepLoopsAndConditionsAreRefused) {
+  const auto error = [&](int count, const std::string& before, const std::string& after) {
+    std::string text = "float f(float x, int n) {\n";
+    for (int i = 0; i < count; ++i) text += before;
+    text += "x += 1.0;";
+    for (int i = 0; i < count; ++i) text += after;
+    const auto checked = check(tree.file("m.glsl", text + "\nreturn x;\n}\n"), options);
+    return checked ? "" : tree.relative(to_string(checked.diagnostics().front()));
+  };
+  const std::string loop = "for (int i = 0; i < n; ++i) ";
+  EXPECT_EQ(error(60, loop, ""), "");
+  EXPECT_EQ(error(70, loop, ""),
+            "m.glsl:2: error: loops are nested more than 64 deep: move the inner ones into a function");
+  EXPECT_EQ(error(200, "if (n > 1) {", "}"), "");
+  EXPECT_TRUE(error(300, "if (n > 1) {", "}").starts_with("m.glsl:2: error: conditions"))
+      << error(300, "if (n > 1) {", "}");
+}
+
+TEST_F(Check, ImagesThatAreWrittenAreParametersToo) {
+  const std::string module =
+      tree.file("m.glsl",
+                "#ifdef GL_ES\n#define HIGHP highp\n#else\n#define HIGHP\n#endif\n"
+                "void put(writeonly HIGHP image2D i, vec4 x) { imageStore(i, ivec2(0), x); }\n"
+                "void whole(writeonly HIGHP iimage2D i) { imageStore(i, ivec2(0), ivec4(1)); }\n");
+  for (const std::string target : {"glsl450", "vulkan", "essl310"}) {
+    options.target = target;
+    const auto checked = check(module, options);
+    EXPECT_TRUE(checked) << target << ": " << to_string(checked.diagnostics().front());
+  }
+}
+
 }  // namespace
 }  // namespace gnomon::compiler

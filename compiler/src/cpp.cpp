@@ -4,71 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <optional>
+#include <filesystem>
 #include <set>
 #include <string_view>
 #include <utility>
 
 #include "assemble.h"
+#include "cpp_subset.h"
+#include "declaration_text.h"
 #include "origin.h"
 #include "shader.h"
 #include "text.h"
+#include "tokens.h"
 
 namespace gnomon::compiler {
 namespace {
-
-// Comments and directives blank, positions as in the text.
-std::string declarations_only(std::string_view text) {
-  std::string code = blank_comments(text);
-  for (size_t begin = 0; begin < code.size();) {
-    const size_t end = std::min(code.find('\n', begin), code.size());
-    if (trim(std::string_view(code).substr(begin, end - begin)).starts_with('#'))
-      std::fill(code.begin() + static_cast<std::ptrdiff_t>(begin),
-                code.begin() + static_cast<std::ptrdiff_t>(end), ' ');
-    begin = end + 1;
-  }
-  return code;
-}
-
-// One declaration outside of all braces.
-struct Declaration {
-  size_t begin = 0;  // its first character
-  size_t brace = 0;  // its first opening brace, npos where it has none
-  size_t end = 0;    // behind its last character
-};
-
-std::vector<Declaration> find_declarations(std::string_view code) {
-  std::vector<Declaration> found;
-  Declaration current{0, code.npos, 0};
-  int depth = 0;
-  bool is_open = false;
-  for (size_t i = 0; i < code.size(); ++i) {
-    const char c = code[i];
-    if (!is_open && trim(code.substr(i, 1)).empty()) continue;
-    if (!is_open) current = {i, code.npos, 0};
-    is_open = true;
-    if (c == '{' && depth++ == 0 && current.brace == code.npos) current.brace = i;
-    if (c == '}') --depth;
-    const bool is_body =
-        c == '}' && trim(code.substr(current.begin, current.brace - current.begin)).ends_with(')');
-    if (depth > 0 || (c != ';' && !is_body)) continue;
-    current.end = i + 1;
-    found.push_back(current);
-    is_open = false;
-  }
-  return found;
-}
-
-// "name" of "float name(int x)"; empty where it is no function.
-std::string_view function_name(std::string_view head) {
-  head = trim(head);
-  if (!head.ends_with(')') || head.find('=') != head.npos) return {};
-  head = trim(head.substr(0, head.find('(')));
-  size_t begin = head.size();
-  while (begin > 0 && is_word_character(head[begin - 1])) --begin;
-  return head.substr(begin);
-}
 
 // The type in "highp vec2 name[3]": what tells overloads apart, up to blanks.
 std::string parameter_type(std::string_view parameter) {
@@ -85,6 +35,7 @@ std::string parameter_type(std::string_view parameter) {
     parameter.remove_prefix(word.empty() ? 1 : word.size());
   }
   // The last word is the name, where there is one.
+  if (type.empty() && last == "void") return {};
   return type.empty() ? last : type;
 }
 
@@ -109,12 +60,17 @@ std::string signature_of(std::string_view head) {
 // What makes a member of a declaration: texts to insert and places to blank.
 class Members {
  public:
-  explicit Members(std::string& text) : text_(text), code_(declarations_only(text)) {}
+  // `shader`: what is in force of the text.
+  Members(std::string& text, const Shader& shader) : text_(text), code_(declarations_only(text)) {
+    for (const Function& function : shader.defined)
+      in_force_.emplace(function.name, function.parameters.size());
+  }
 
   void rewrite() {
     const std::vector<Declaration> declarations = find_declarations(code_);
     for (const Declaration& declaration : declarations) {
-      if (declaration.brace != code_.npos) defined_.insert(signature_of(head_of(declaration)));
+      if (declaration.brace != code_.npos && is_in_force(head_of(declaration)))
+        defined_.insert(signature_of(head_of(declaration)));
     }
     for (const Declaration& declaration : declarations) rewrite(declaration);
     // From the end, so that the places before stay.
@@ -126,6 +82,13 @@ class Members {
   [[nodiscard]] std::string_view head_of(const Declaration& d) const {
     const size_t end = d.brace == code_.npos ? d.end - 1 : d.brace;
     return std::string_view(code_).substr(d.begin, end - d.begin);
+  }
+
+  // A definition may stand under a conditional that does not hold: then the prototype is all there is.
+  [[nodiscard]] bool is_in_force(std::string_view head) const {
+    const std::string signature = signature_of(head);
+    const auto commas = static_cast<size_t>(std::ranges::count(signature, ','));
+    return in_force_.contains({std::string(function_name(head)), signature.ends_with(',') ? 0 : commas});
   }
 
   void rewrite(const Declaration& declaration) {
@@ -159,7 +122,8 @@ class Members {
 
   std::string& text_;
   const std::string code_;
-  std::set<std::string> defined_;  // or declared, by signature
+  std::set<std::pair<std::string, size_t>> in_force_;  // name and number of parameters
+  std::set<std::string> defined_;                      // or declared, by signature
   std::vector<std::pair<size_t, std::string>> insertions_;
 };
 
@@ -170,7 +134,7 @@ std::string literal_path(const std::string& path) {
 }
 
 // A #line wherever the next line is not the one that follows the last in the same file.
-std::string with_origins(const Assembled& assembled, const std::string& library) {
+std::string with_origins(const Assembled& assembled, const std::vector<std::string>& names) {
   std::string text;
   LineOrigin last{-1, 0};
   std::string_view rest = assembled.text;
@@ -180,56 +144,15 @@ std::string with_origins(const Assembled& assembled, const std::string& library)
     rest.remove_prefix(std::min(length + 1, rest.size()));
     if (line.starts_with("#version")) continue;
     if (origin.line > 0 && (origin.inclusion != last.inclusion || origin.line != last.line + 1)) {
-      text +=
-          fmt::format("#line {} \"{}\"\n", origin.line,
-                      literal_path(portable_name(file_of(assembled, origin.inclusion), assembled, library)));
+      text += fmt::format(
+          "#line {} \"{}\"\n", origin.line,
+          literal_path(
+              names[static_cast<size_t>(assembled.inclusions[static_cast<size_t>(origin.inclusion)].file)]));
     }
     text.append(line).append("\n");
     last = origin;
   }
   return text;
-}
-
-// Words of GLSL's declarations that C++ has not, and what to write.
-struct Foreign {
-  std::string_view word;
-  std::string_view advice;
-};
-constexpr std::array kForeign = {
-    Foreign{"inout", "pass the value in and return the result"},
-    Foreign{"out", "write GNOMON_OUT(type), of <gnomon/core/portable.glsl>"},
-    Foreign{"in", "leave it out: parameters are values"},
-    Foreign{"precision", "leave it out: gnomonc gives the defaults"},
-    Foreign{"uniform", "make it a parameter, or read it in a host function"},
-    Foreign{"buffer", "make it a parameter, or read it in a host function"},
-};
-
-// The first declaration that cannot be a member.
-std::optional<Diagnostic> find_foreign(const Assembled& assembled) {
-  const std::string code = declarations_only(assembled.text);
-  const auto fail = [&](size_t at, std::string message) {
-    const auto end = code.begin() + static_cast<std::ptrdiff_t>(at);
-    return locate(assembled, 1 + static_cast<int>(std::count(code.begin(), end, '\n')), std::move(message));
-  };
-  for (const Declaration& declaration : find_declarations(code)) {
-    const size_t end = declaration.brace == code.npos ? declaration.end : declaration.brace;
-    const std::string_view head = std::string_view(code).substr(declaration.begin, end - declaration.begin);
-    for (size_t at = 0; at < head.size();) {
-      std::string_view rest = head.substr(at);
-      const std::string_view word = take_word(rest);
-      const auto foreign = std::ranges::find(kForeign, word, &Foreign::word);
-      if (foreign != kForeign.end())
-        return fail(declaration.begin + at, fmt::format("'{}' is not C++: {}", word, foreign->advice));
-      at += std::max<size_t>(word.size(), 1);
-    }
-    std::string_view words = head;
-    const std::string_view first = take_word(words);
-    if (declaration.brace == code.npos && !first.empty() && first != "const" &&
-        function_name(head.substr(0, head.size() - 1)).empty())
-      return fail(declaration.begin,
-                  "a variable outside of functions is not C++ here: make it const, or a parameter");
-  }
-  return std::nullopt;
 }
 
 // {0}: the name of the class, {1}: its members, {2}: a namespace in which GLM needs no prefix.
@@ -280,11 +203,44 @@ Result<Done> check_modules(const std::vector<std::string>& paths, const Options&
   return Done{};
 }
 
-// All of them in one text: two may define the same function.
-std::optional<Diagnostic> check_together(const Assembled& assembled, const Options& options) {
-  const Shader shader = compile(assembled.text, Stage::kFragment, *find_target(options.target));
-  if (!shader.error) return std::nullopt;
-  return locate(assembled, shader.error->line, shader.error->text);
+// Precisions mean nothing in C++.
+void blank_precisions(std::string& text) {
+  const std::string code = blank_comments(text);
+  for (const Token& token : tokenize(code)) {
+    if (!token.is("highp") && !token.is("mediump") && !token.is("lowp")) continue;
+    const auto begin = text.begin() + (token.text.data() - code.data());
+    std::fill_n(begin, token.text.size(), ' ');
+  }
+}
+
+// What #line calls each file: those of the library gnomon/..., others by their names, with the folders that
+// tell them apart where two are called alike.
+std::vector<std::string> names_of(const Assembled& assembled, const std::string& library) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> names;
+  std::vector<fs::path> paths;
+  for (const std::string& file : assembled.files) {
+    std::error_code ignored;
+    names.push_back(portable_name(file, assembled, library));
+    paths.push_back(fs::absolute(file, ignored).lexically_normal());
+  }
+  for (size_t i = 0; i < names.size(); ++i) {
+    std::string name = names[i];
+    fs::path folder = paths[i].parent_path();
+    const auto is_taken = [&](size_t other) {
+      const std::string path = paths[other].generic_string();
+      return other != i && path != paths[i] && path.ends_with("/" + name);
+    };
+    bool taken = true;
+    while (taken && folder.has_relative_path() && !name.starts_with("gnomon/")) {
+      taken = false;
+      for (size_t other = 0; other < names.size(); ++other) taken = taken || is_taken(other);
+      if (taken) name.insert(0, folder.filename().generic_string() + "/");
+      folder = folder.parent_path();
+    }
+    names[i] = name;
+  }
+  return names;
 }
 
 }  // namespace
@@ -293,10 +249,13 @@ Result<CppHeader> cpp_header(const std::vector<std::string>& paths, const Option
   if (const auto checked = check_modules(paths, options); !checked) return checked.diagnostics();
   Result<Assembled> assembled = assemble_all(paths, options);
   if (!assembled) return assembled.diagnostics();
-  if (auto clash = check_together(*assembled, options)) return *std::move(clash);
+  // All of them in one text: two may define the same function.
+  const Shader shader = compile(assembled->text, Stage::kFragment, *find_target(options.target));
+  if (shader.error) return locate(*assembled, shader.error->line, shader.error->text);
   if (auto foreign = find_foreign(*assembled)) return *std::move(foreign);
-  std::string text = with_origins(*assembled, options.library_directory);
-  Members(text).rewrite();
+  std::string text = with_origins(*assembled, names_of(*assembled, options.library_directory));
+  blank_precisions(text);
+  Members(text, shader).rewrite();
   const std::string name = options.name.empty() ? "Modules" : options.name;
   const std::string scope = options.name.empty() ? "modules" : options.name + "_modules";
   return CppHeader{fmt::format(fmt::runtime(kFrame), name, text, scope),

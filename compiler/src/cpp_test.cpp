@@ -101,17 +101,66 @@ TEST_F(Cpp, WhatIsNotCppIsRefusedAtItsLine) {
   EXPECT_EQ(
       error_of({tree.file("a.glsl", "\nfloat state;\nfloat f() { return state; }\n")}),
       "a.glsl:2: error: a variable outside of functions is not C++ here: make it const, or a parameter");
-  const std::string a = tree.file("a.glsl", "float f() { return 1.0; }\n");
-  const std::string b = tree.file("b.glsl", "float f() { return 2.0; }\n");
+  const std::string a = tree.file("a.glsl", "float f() { return 1.0f; }\n");
+  const std::string b = tree.file("b.glsl", "float f() { return 2.0f; }\n");
   EXPECT_TRUE(error_of({a, b}).starts_with("b.glsl:1: error: 'f'")) << error_of({a, b});
 }
 
+TEST_F(Cpp, WhatWouldMeanSomethingElseIsRefused) {
+  const auto error = [&](const std::string& text) { return error_of({tree.file("a.glsl", text)}); };
+  const std::string variable =
+      "a.glsl:1: error: a variable outside of functions is not C++ here: make it const, or a parameter";
+  EXPECT_EQ(error("struct S { float a; } s;\nfloat f() { return s.a; }\n"), variable);
+  EXPECT_EQ(error("float f() {\n  return 1.5f + 2.5; }\n"),
+            "a.glsl:2: error: '2.5' is a double in C++: write an f behind it");
+  for (const std::string number : {"1e3", "1e-3", ".5", "1.", "1.5e+3"})
+    EXPECT_TRUE(error("#define K " + number + "\nfloat f() { return K; }\n").find("double") !=
+                std::string::npos)
+        << number;
+  for (const std::string number : {"1e3f", "1e-3f", ".5f", "1.f", "1.5e+3F", "float(0x1E)", "float(7)"})
+    EXPECT_EQ(error("#if 10 > 2\n#define K " + number + " // 1.5\n#endif\nfloat f() { return K; }\n"),
+              "no error")
+        << number;
+  EXPECT_EQ(error("float f() {\n  float a[2] = float[](1.0f, 2.0f);\n  return a[1]; }\n"),
+            "a.glsl:2: error: array constructors are not C++: assign the elements one by one");
+  EXPECT_EQ(error("#define F(n) float n() { return 1.0f; }\nF(f)\nfloat g() { return f(); }\n"),
+            "a.glsl:2: error: 'F(': what a macro declares cannot be made a member of a C++ class: write the "
+            "declaration out");
+}
+
+TEST_F(Cpp, PrecisionsAreLeftOut) {
+  EXPECT_EQ(run({tree.file("a.glsl",
+                           "struct S { highp float a; };\nhighp float f(mediump float highp_x) {\n"
+                           "  lowp float y = highp_x;\n  return y;\n}\n")},
+                "int main() { return gnomon::Modules().f(3.0f) == 3 ? 0 : 1; }\n"),
+            0);
+}
+
+TEST_F(Cpp, ADefinitionThatIsNotInForceLeavesThePrototype) {
+  EXPECT_EQ(run({tree.file("a.glsl",
+                           "#ifdef NEVER\nfloat h(int i) { return 1.0f; }\n#endif\nfloat h(int i);\n"
+                           "float none(void);\nfloat none() { return 1.0f; }\n"
+                           "float g() { return h(1) + none(); }\n")},
+                "struct Host : gnomon::Modules { float h(int i) const override { return float(i) + 1; } };\n"
+                "int main() { return Host().g() == 3 ? 0 : 1; }\n"),
+            0);
+}
+
+TEST_F(Cpp, FilesThatAreCalledAlikeAreToldApart) {
+  const auto header = cpp_header({tree.file("d1/u.glsl", "float f() { return 1.0f; }\n"),
+                                  tree.file("d2/u.glsl", "float g() { return 1.0f; }\n")},
+                                 options);
+  ASSERT_TRUE(header);
+  for (const char* line : {"#line 1 \"d1/u.glsl\"\n", "#line 1 \"d2/u.glsl\"\n"})
+    EXPECT_NE(header->text.find(line), std::string::npos) << header->text;
+}
+
 TEST_F(Cpp, TwoHeadersMeetUnderNamesOfTheirOwn) {
-  const std::string a = tree.file("a.glsl", "#ifndef A\n#define A\nfloat f() { return 1.0; }\n#endif\n");
+  const std::string a = tree.file("a.glsl", "#ifndef A\n#define A\nfloat f() { return 1.0f; }\n#endif\n");
   options.name = "Mine";
   tree.file("mine.h", cpp_header({a}, options)->text);
   options.name.clear();
-  EXPECT_EQ(run({tree.file("b.glsl", "float f() { return 2.0; }\n")},
+  EXPECT_EQ(run({tree.file("b.glsl", "float f() { return 2.0f; }\n")},
                 "#include \"mine.h\"\n#include \"mine.h\"\n"
                 "int main() { return gnomon::Mine().f() == 1 && gnomon::Modules().f() == 2 ? 0 : 1; }\n"),
             0);

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the text of a target says otherwise than the source.
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
 #include "gnomon/compiler/compiler.h"
 #include "temporary_tree.h"
 
@@ -123,6 +128,98 @@ TEST_F(Dialect, PrecisionsComeBeforeCodeWithAnExtensionBehindIt) {
   ASSERT_FALSE(built);
   EXPECT_EQ(tree.relative(to_string(built.diagnostics().front())),
             "a.frag:4: error: 'x': undeclared identifier");
+}
+
+// What glslang makes of the functions of a text for Vulkan, whose SPIR-V names them.
+size_t relaxed_decorations(const std::string& spirv) {
+  constexpr std::uint32_t kDecorate = 71;
+  constexpr std::uint32_t kRelaxedPrecision = 0;
+  std::vector<std::uint32_t> words(spirv.size() / 4);
+  std::memcpy(words.data(), spirv.data(), words.size() * 4);
+  size_t count = 0;
+  for (size_t at = 5; at < words.size(); at += std::max(words[at] >> 16, 1u))
+    count += (words[at] & 0xFFFF) == kDecorate && words[at + 2] == kRelaxedPrecision ? 1 : 0;
+  return count;
+}
+
+TEST_F(Dialect, PrecisionOfTheUserLeavesTheLibraryHighp) {
+  tree.file("library/m.glsl",
+            "#ifndef M\n#define M\nfloat gnomon_host_height(ivec2 at, int q);\n"
+            "float m(float x) { return x * 2.0 + gnomon_host_height(ivec2(x), 0); }\n#endif\n");
+  const std::string host = "float gnomon_host_height(ivec2 at, int q) {\n  return float(at.x * q);\n}\n";
+  const std::string own = "float own(float x) { return x * 3.0; }\n";
+  const std::string end =
+      "layout(location = 0) in float i;\nlayout(location = 0) out vec4 o;\n"
+      "void main() { o = vec4(m(i) + own(i)); }\n";
+  const std::string precise = tree.file("a.frag", "#include <gnomon/m.glsl>\n" + host + own + end);
+  const std::string given = "precision mediump float;\nprecision mediump int;\n";
+  const std::string mixed = tree.file("b.frag", given + "#include <gnomon/m.glsl>\n" + host + own + end);
+  const std::string alone = tree.file("c.frag", given + "float m(float x) { return x; }\n" + own + end);
+  for (const std::string target : {"essl300", "essl310", "vulkan", "opengl"}) {
+    options.target = target;
+    for (const std::string& path : {precise, mixed}) {
+      const auto built = build(path, options);
+      EXPECT_TRUE(built) << target << ": " << to_string(built.diagnostics().front());
+    }
+  }
+  options.target = "vulkan";
+  EXPECT_EQ(relaxed_decorations(build(precise, options)->output), 0u);
+  const auto relaxed = build(mixed, options);
+  EXPECT_GT(relaxed_decorations(relaxed->output), 0u) << "the user's own stays as stated";
+  // Of the text: what the library and the host have stands between highp and the user's own.
+  const std::string& text = relaxed->source.text;
+  const auto last_before = [&](std::string_view word) {
+    const size_t at = text.rfind("precision ", text.find(word));
+    return text.substr(at, text.find(';', at) - at);
+  };
+  for (const std::string word : {"float m(float x)", "return float(at.x"})
+    EXPECT_NE(last_before(word).find("highp"), std::string::npos) << text;
+  for (const std::string word : {"float own(", "in float i;"})
+    EXPECT_NE(last_before(word).find("GNOMON_PRECISION_"), std::string::npos) << text;
+}
+
+TEST_F(Dialect, PrecisionOfTheUserHoldsByItsConditional) {
+  tree.file("library/m.glsl", "float m(float x) { return x * 2.0; }\n");
+  const std::string source =
+      "#ifdef LOW\nprecision mediump float;\n#endif\n#include <gnomon/m.glsl>\n"
+      "layout(location = 0) in float i;\nlayout(location = 0) out vec4 o;\n"
+      "void main() { o = vec4(m(i) * 3.0); }\n";
+  const std::string path = tree.file("a.frag", source);
+  options.target = "vulkan";
+  EXPECT_EQ(relaxed_decorations(build(path, options)->output), 0u);
+  options.defines = {{"LOW", "1"}};
+  EXPECT_GT(relaxed_decorations(build(path, options)->output), 0u);
+}
+
+TEST_F(Dialect, ErrorsKeepTheirLinesAmongPrecisions) {
+  tree.file("library/m.glsl", "float m(float x) { return x * 2.0; }\n");
+  options.target = "essl300";
+  const auto built = build(tree.file("a.frag",
+                                     "precision mediump float;\n#include <gnomon/m.glsl>\n\n"
+                                     "float f() { return y; }\nvoid main() {}\n"),
+                           options);
+  ASSERT_FALSE(built);
+  EXPECT_EQ(tree.relative(to_string(built.diagnostics().front())),
+            "a.frag:4: error: 'y': undeclared identifier");
+}
+
+TEST_F(Dialect, ACommentBehindAnExtensionMayGoOn) {
+  options.target = "essl300";
+  const auto built = build(tree.file("a.frag",
+                                     "// first\n#extension GL_EXT_YUV_target : enable /* a comment that\n"
+                                     "goes on */\nout vec4 o;\nvoid main() { o = vec4(1); }\n"),
+                           options);
+  EXPECT_TRUE(built) << to_string(built.diagnostics().front());
+}
+
+TEST_F(Dialect, IncludesAreKnownForEveryTarget) {
+  tree.file("b.glsl", "float b() { return 1.0; }\n");
+  const std::string path =
+      tree.file("a.frag", "#include \"b.glsl\"\nout vec4 o;\nvoid main() { o = vec4(b()); }\n");
+  for (const std::string target : {"glsl450", "essl300"}) {
+    options.target = target;
+    EXPECT_EQ(build(path, options)->source.includes.size(), 1u) << target;
+  }
 }
 
 }  // namespace

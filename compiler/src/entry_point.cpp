@@ -138,10 +138,23 @@ class EntryPoint {
     return fmt::format("gnomon_check_{}_{}", function.line, parameter);
   }
 
+  // A parameter has no format, so that glslang takes for it only what is writeonly. In ESSL a uniform image
+  // has to have one all the same; in SPIR-V it would be another type.
+  [[nodiscard]] std::string_view image_qualifiers(std::string_view type) const {
+    const bool is_image =
+        type.starts_with("image") || type.starts_with("iimage") || type.starts_with("uimage");
+    if (!is_image) return "";
+    if (!std::string_view(module_.text).substr(0, module_.text.find('\n')).ends_with(" es"))
+      return "writeonly ";
+    if (type.starts_with("image")) return "layout(r32f) writeonly ";
+    return type.starts_with("iimage") ? "layout(r32i) writeonly " : "layout(r32ui) writeonly ";
+  }
+
   void declare_opaque(const Function& function) {
     for (size_t i = 0; i < function.parameters.size(); ++i) {
       if (!is_opaque(function.parameters[i])) continue;
-      emit(fmt::format("uniform {} {};", function.parameters[i].type.name, opaque_name(function, i)),
+      const std::string& type = function.parameters[i].type.name;
+      emit(fmt::format("{}uniform {} {};", image_qualifiers(type), type, opaque_name(function, i)),
            origin_of(function.line));
     }
   }

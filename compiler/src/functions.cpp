@@ -3,6 +3,7 @@
 #include <glslang/Include/intermediate.h>
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "inspect.h"
@@ -129,18 +130,18 @@ class FunctionFinder : public glslang::TIntermTraverser {
     if (node->getOp() == glslang::EOpFunction) {
       defined.push_back(read_definition(*node));
     } else if (node->getOp() == glslang::EOpFunctionCall && node->isUserDefined()) {
-      called.push_back(read_call(*node));
+      // The first call tells all that is asked; programs have thousands.
+      if (signatures_.insert(node->getName().c_str()).second) called.push_back(read_call(*node));
     }
     return true;
   }
 
   std::vector<Function> defined;
-  std::vector<Function> called;
-};
+  std::vector<Function> called;  // each signature once
 
-bool has(const std::vector<Function>& functions, const Function& function) {
-  return std::ranges::find(functions, function.signature, &Function::signature) != functions.end();
-}
+ private:
+  std::unordered_set<std::string> signatures_;
+};
 
 }  // namespace
 
@@ -151,11 +152,12 @@ Type read_type(const glslang::TType& type) {
 void find_functions(TIntermNode& root, Shader& shader) {
   FunctionFinder finder;
   root.traverse(&finder);
+  std::unordered_set<std::string> defined;
+  for (const Function& function : finder.defined) defined.insert(function.signature);
+  std::unordered_set<std::string> names;
   for (Function& call : finder.called) {
-    if (std::ranges::find(shader.called, call.name) == shader.called.end())
-      shader.called.push_back(call.name);
-    if (!has(finder.defined, call) && !has(shader.undefined, call))
-      shader.undefined.push_back(std::move(call));
+    if (names.insert(call.name).second) shader.called.push_back(call.name);
+    if (!defined.contains(call.signature)) shader.undefined.push_back(std::move(call));
   }
   for (Function& function : finder.defined) {
     if (function.name == "main") {

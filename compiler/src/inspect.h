@@ -19,6 +19,9 @@ void find_functions(TIntermNode& root, Shader& shader);
 /// Lines of the loops that are not bounded in the sense of build(), in the order of the text.
 [[nodiscard]] std::vector<int> find_unbounded_loops(TIntermNode& root);
 
+/// The first loop or condition that is nested too deeply to be compiled in reasonable time.
+[[nodiscard]] std::optional<Message> find_deep_nesting(TIntermNode& root);
+
 /// The first uniform or buffer that has too many members to be listed, each array element counted, or more
 /// bytes than an int counts.
 [[nodiscard]] std::optional<Message> find_oversized_uniform(TIntermNode& root, DeclarationLines& lines);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <glslang/Include/intermediate.h>
 
+#include <cstdint>
+#include <optional>
 #include <set>
 
 #include "inspect.h"
@@ -26,13 +28,16 @@ class Effects : public glslang::TIntermTraverser {
     if (code != nullptr) code->traverse(this);
   }
 
-  void visitSymbol(glslang::TIntermSymbol* node) override { read.insert(node->getId()); }
+  void visitSymbol(glslang::TIntermSymbol* node) override {
+    read.insert(node->getId());
+    reads_global = reads_global || node->getQualifier().storage == glslang::EvqGlobal;
+  }
   bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
-    if (node->modifiesState()) note(node->getLeft(), node->getOp());
+    if (node->modifiesState()) note(node->getLeft());
     return true;
   }
   bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
-    if (node->modifiesState()) note(node->getOperand(), node->getOp());
+    if (node->modifiesState()) note(node->getOperand());
     return true;
   }
   bool visitAggregate(glslang::TVisit, glslang::TIntermAggregate* node) override {
@@ -40,30 +45,21 @@ class Effects : public glslang::TIntermTraverser {
     calls = calls || node->isUserDefined();
     for (size_t i = 0; i < node->getQualifierList().size(); ++i) {
       const glslang::TStorageQualifier passing = node->getQualifierList()[i];
-      if (passing == glslang::EvqOut || passing == glslang::EvqInOut)
-        note(node->getSequence()[i], glslang::EOpAssign);
+      if (passing == glslang::EvqOut || passing == glslang::EvqInOut) note(node->getSequence()[i]);
     }
     return true;
   }
 
-  struct Modification {
-    VariableId variable;
-    glslang::TOperator how;
-  };
   std::set<VariableId> read;
-  std::vector<Modification> modified;
+  std::multiset<VariableId> modified;
   bool calls = false;
+  bool reads_global = false;
 
-  [[nodiscard]] const Modification* modification_of(VariableId variable) const {
-    for (const Modification& modification : modified) {
-      if (modification.variable == variable) return &modification;
-    }
-    return nullptr;
-  }
+  [[nodiscard]] size_t modifications_of(VariableId variable) const { return modified.count(variable); }
 
  private:
-  void note(TIntermNode* target, glslang::TOperator how) {
-    if (const auto* variable = variable_of(target)) modified.push_back({variable->getId(), how});
+  void note(TIntermNode* target) {
+    if (const auto* variable = variable_of(target)) modified.insert(variable->getId());
   }
 };
 
@@ -73,28 +69,86 @@ struct LoopEffects {
   Effects test;
   Effects step;
   Effects body;
+
+  // Whether it calls functions of the shader, which may modify what is global.
+  [[nodiscard]] bool calls() const { return test.calls || step.calls || body.calls; }
 };
 
-enum class Direction { kUp, kDown, kEither };
+// A counter's change from one round to the next.
+using Step = std::int64_t;
 
-Direction direction_of_comparison(glslang::TOperator op, bool counter_is_left) {
-  if (op == glslang::EOpNotEqual) return Direction::kEither;
-  const bool less = op == glslang::EOpLessThan || op == glslang::EOpLessThanEqual;
-  return less == counter_is_left ? Direction::kUp : Direction::kDown;
+// The value of a constant whole number.
+std::optional<std::int64_t> value_of(TIntermNode* node) {
+  glslang::TIntermTyped* typed = node == nullptr ? nullptr : node->getAsTyped();
+  glslang::TIntermConstantUnion* constant = typed == nullptr ? nullptr : typed->getAsConstantUnion();
+  if (constant == nullptr || !typed->isScalar()) return std::nullopt;
+  const glslang::TConstUnion& value = constant->getConstArray()[0];
+  if (typed->getBasicType() == glslang::EbtInt) return value.getIConst();
+  if (typed->getBasicType() == glslang::EbtUint) return value.getUConst();
+  return std::nullopt;
 }
 
-Direction direction_of_step(glslang::TOperator op) {
+bool is_variable(TIntermNode* node, VariableId id) {
+  const auto* symbol = node == nullptr ? nullptr : node->getAsSymbolNode();
+  return symbol != nullptr && symbol->getId() == id;
+}
+
+// "i = i + 2", "i = 2 + i", "i = i - 2".
+std::optional<Step> step_of_assignment(TIntermNode* value, VariableId id) {
+  glslang::TIntermBinary* sum = value->getAsBinaryNode();
+  if (sum == nullptr) return std::nullopt;
+  const bool adds = sum->getOp() == glslang::EOpAdd;
+  if (!adds && sum->getOp() != glslang::EOpSub) return std::nullopt;
+  if (is_variable(sum->getLeft(), id)) {
+    const auto change = value_of(sum->getRight());
+    return change && !adds ? -*change : change;
+  }
+  return adds && is_variable(sum->getRight(), id) ? value_of(sum->getLeft()) : std::nullopt;
+}
+
+// By how much an expression that is always reached changes the variable.
+std::optional<Step> step_of(TIntermNode* node, VariableId id) {
+  if (glslang::TIntermAggregate* list = node->getAsAggregate();
+      list != nullptr && list->getOp() == glslang::EOpComma) {
+    for (TIntermNode* part : list->getSequence()) {
+      if (const auto step = step_of(part, id)) return step;
+    }
+    return std::nullopt;
+  }
+  if (glslang::TIntermUnary* unary = node->getAsUnaryNode()) {
+    if (!is_variable(unary->getOperand(), id)) return std::nullopt;
+    const glslang::TOperator op = unary->getOp();
+    if (op == glslang::EOpPreIncrement || op == glslang::EOpPostIncrement) return 1;
+    if (op == glslang::EOpPreDecrement || op == glslang::EOpPostDecrement) return -1;
+    return std::nullopt;
+  }
+  glslang::TIntermBinary* binary = node->getAsBinaryNode();
+  if (binary == nullptr || !is_variable(binary->getLeft(), id)) return std::nullopt;
+  if (binary->getOp() == glslang::EOpAssign) return step_of_assignment(binary->getRight(), id);
+  const auto change = value_of(binary->getRight());
+  if (binary->getOp() == glslang::EOpAddAssign) return change;
+  return change && binary->getOp() == glslang::EOpSubAssign ? std::optional(-*change) : std::nullopt;
+}
+
+// "counter OP limit", whichever of them stands on the left.
+struct Comparison {
+  glslang::TOperator op;
+  const glslang::TIntermSymbol& counter;
+  TIntermNode* limit;
+};
+
+glslang::TOperator mirrored(glslang::TOperator op) {
   switch (op) {
-    case glslang::EOpPreIncrement:
-    case glslang::EOpPostIncrement:
-    case glslang::EOpAddAssign:
-      return Direction::kUp;
-    case glslang::EOpPreDecrement:
-    case glslang::EOpPostDecrement:
-    case glslang::EOpSubAssign:
-      return Direction::kDown;
+    case glslang::EOpLessThan:
+      return glslang::EOpGreaterThan;
+    case glslang::EOpLessThanEqual:
+      return glslang::EOpGreaterThanEqual;
+    case glslang::EOpGreaterThan:
+      return glslang::EOpLessThan;
+    case glslang::EOpGreaterThanEqual:
+      return glslang::EOpLessThanEqual;
     default:
-      return Direction::kEither;
+      return op;
   }
 }
 
@@ -103,40 +157,60 @@ bool is_ordering(glslang::TOperator op) {
          op == glslang::EOpGreaterThanEqual || op == glslang::EOpNotEqual;
 }
 
-bool is_counter(const glslang::TIntermSymbol& candidate, Direction wanted, const LoopEffects& loop) {
-  const VariableId id = candidate.getId();
-  const auto* step = loop.step.modification_of(id);
-  if (step == nullptr || loop.initializer.modification_of(id) == nullptr) return false;
-  if (loop.body.modification_of(id) != nullptr || loop.test.modification_of(id) != nullptr) return false;
-  const Direction taken = direction_of_step(step->how);
-  return taken == wanted || taken == Direction::kEither || wanted == Direction::kEither;
+// Whether a counter that goes by `step` comes to the limit before the end of its type, where it would begin
+// anew. A limit that is unknown is taken to be a sensible one, but that of an unsigned counter may be zero.
+bool comes_to_limit(const Comparison& test, Step step) {
+  if (test.op == glslang::EOpNotEqual) return step == 1 || step == -1;
+  const bool upwards = test.op == glslang::EOpLessThan || test.op == glslang::EOpLessThanEqual;
+  if (step == 0 || upwards != (step > 0)) return false;
+  const bool is_unsigned = test.counter.getBasicType() == glslang::EbtUint;
+  const bool takes_limit = test.op == glslang::EOpLessThanEqual || test.op == glslang::EOpGreaterThanEqual;
+  auto limit = value_of(test.limit);
+  if (!limit && (upwards || !is_unsigned)) return true;
+  // The last value for which the loop goes on.
+  const std::int64_t last = limit.value_or(0) + (takes_limit ? 0 : upwards ? -1 : 1);
+  if (upwards) return last + step <= (is_unsigned ? 0xFFFFFFFFll : 0x7FFFFFFFll);
+  return last + step >= (is_unsigned ? 0ll : -0x80000000ll);
+}
+
+bool is_counter(const Comparison& test, TIntermNode& step, const LoopEffects& loop) {
+  const glslang::TType& type = test.counter.getType();
+  const bool is_whole = type.getBasicType() == glslang::EbtInt || type.getBasicType() == glslang::EbtUint;
+  if (!is_whole || !type.isScalar()) return false;
+  const VariableId id = test.counter.getId();
+  if (loop.initializer.modifications_of(id) == 0 || loop.step.modifications_of(id) != 1) return false;
+  if (loop.body.modifications_of(id) > 0 || loop.test.modifications_of(id) > 0) return false;
+  const bool is_global = type.getQualifier().storage == glslang::EvqGlobal;
+  if (is_global && loop.calls()) return false;
+  const auto change = step_of(&step, id);
+  return change && comes_to_limit(test, *change);
 }
 
 bool is_constant_in(TIntermNode* limit, const LoopEffects& loop) {
   const Effects effects(limit);
   if (effects.calls || !effects.modified.empty()) return false;
+  if (effects.reads_global && loop.calls()) return false;
   for (const VariableId id : effects.read) {
     for (const Effects* part : {&loop.test, &loop.step, &loop.body}) {
-      if (part->modification_of(id) != nullptr) return false;
+      if (part->modifications_of(id) > 0) return false;
     }
   }
   return true;
 }
 
-bool is_bounding(TIntermNode* condition, const LoopEffects& loop) {
+bool is_bounding(TIntermNode* condition, TIntermNode& step, const LoopEffects& loop) {
   glslang::TIntermBinary* test = condition->getAsBinaryNode();
   if (test == nullptr) return false;
   TIntermNode* left = test->getLeft();
   TIntermNode* right = test->getRight();
-  if (test->getOp() == glslang::EOpLogicalAnd) return is_bounding(left, loop) || is_bounding(right, loop);
+  if (test->getOp() == glslang::EOpLogicalAnd)
+    return is_bounding(left, step, loop) || is_bounding(right, step, loop);
   if (!is_ordering(test->getOp())) return false;
-  const auto compares = [&](TIntermNode* counter, TIntermNode* limit, bool counter_is_left) {
+  const auto compares = [&](TIntermNode* counter, TIntermNode* limit, glslang::TOperator op) {
     const auto* symbol = counter->getAsSymbolNode();
-    return symbol != nullptr &&
-           is_counter(*symbol, direction_of_comparison(test->getOp(), counter_is_left), loop) &&
-           is_constant_in(limit, loop);
+    return symbol != nullptr && is_counter({op, *symbol, limit}, step, loop) && is_constant_in(limit, loop);
   };
-  return compares(left, right, true) || compares(right, left, false);
+  return compares(left, right, test->getOp()) || compares(right, left, mirrored(test->getOp()));
 }
 
 class LoopFinder : public glslang::TIntermTraverser {
@@ -146,7 +220,8 @@ class LoopFinder : public glslang::TIntermTraverser {
     glslang::TIntermAggregate* sequence =
         getParentNode() == nullptr ? nullptr : getParentNode()->getAsAggregate();
     const bool is_for = node->testFirst() && node->getTerminal() != nullptr && node->getTest() != nullptr;
-    if (!is_for || sequence == nullptr || !is_bounding(node->getTest(), effects_of(*node, *sequence))) {
+    if (!is_for || sequence == nullptr ||
+        !is_bounding(node->getTest(), *node->getTerminal(), effects_of(*node, *sequence))) {
       unbounded.push_back(node->getLoc().line);
     }
     return true;

@@ -13,7 +13,7 @@ class Loops : public testing::Test {
         check(tree.file("m.glsl",
                         "int global;\nint side() { return ++global; }\nvoid change(inout int x) { ++x; }\n"
                         "struct Limits { int most; };\n"
-                        "float f(float x, int n, Limits limits, ivec2 v, int i) {\n" +
+                        "float f(float x, int n, Limits limits, ivec2 v, int i, uint u) {\n" +
                             loop + "\nreturn x;\n}\n"),
               options);
     EXPECT_TRUE(checked) << to_string(checked.diagnostics().front());
@@ -25,12 +25,26 @@ class Loops : public testing::Test {
 };
 
 TEST_F(Loops, CounterAgainstAFixedLimitIsBounded) {
-  for (const std::string header :
-       {"int i = 0; i < 9; ++i", "int i = n; i < limits.most; i++", "int i = 0; i <= v.x + n; i += 2",
-        "int i = n; i > 0; --i", "int i = n; i >= 0; i -= 3", "int i = 0; i != n; ++i",
-        "int i = 0; n > i; ++i", "i = 0; i < n; ++i", "int i = 0, j = 5; i < n; ++i, --j",
-        "int i = 1; i < n; i *= 2", "int i = n; i > 0; i /= 2", "int i = 0; i < n && x > 0.0; ++i",
-        "float t = 0.0; t < x; t += 0.1", "int i = 0; i < max(n, 3); ++i"}) {
+  for (const std::string header : {"int i = 0; i < 9; ++i",
+                                   "int i = n; i < limits.most; i++",
+                                   "int i = 0; i <= v.x + n; i += 2",
+                                   "int i = n; i > 0; --i",
+                                   "int i = n; i >= 0; i -= 3",
+                                   "int i = 0; i != n; ++i",
+                                   "int i = 0; n > i; ++i",
+                                   "i = 0; i < n; ++i",
+                                   "int i = 0, j = 5; i < n; ++i, --j",
+                                   "int i = 0; i < n && x > 0.0; ++i",
+                                   "int i = 0; i < max(n, 3); ++i",
+                                   "int i = 0; i < n; i += 1 + 1",
+                                   "int i = 0; i < n; i = i + 2",
+                                   "int i = n; i > 0; i = i - 2",
+                                   "int i = n; i > 0; i += -1",
+                                   "uint i = 0u; i < u; ++i",
+                                   "uint i = u; i > 0u; --i",
+                                   "uint i = u; i >= 4u; i -= 4u",
+                                   "uint i = u; i != 0u; --i",
+                                   "int i = 0; i <= 2147483646; ++i"}) {
     EXPECT_TRUE(bounded("for (" + header + ") { if (n == 7) break; }")) << header;
   }
 }
@@ -48,6 +62,37 @@ TEST_F(Loops, StepAwayFromTheLimitIsNot) {
        {"int i = 0; i < 9; --i", "int i = 9; i > 0; ++i", "int i = 0; 9 > i; i -= 1"}) {
     EXPECT_FALSE(bounded("for (" + header + ") x += 1.0;")) << header;
   }
+}
+
+TEST_F(Loops, StepThatMayNeverComeToTheLimitIsNot) {
+  for (const std::string header : {"int i = 1; i < n; i *= 2",
+                                   "int i = n; i > 0; i /= 2",
+                                   "int i = n; i >= 0; i >>= 1",
+                                   "int i = 0; i < n; i += 0",
+                                   "int i = 0; i < n; i = i",
+                                   "int i = 0; i < n; i += v.x",
+                                   "int i = 0; i < n; i = n - i",
+                                   "int i = 0; i < n; i += 2, i -= 2",
+                                   "int i = 0; i < n; n > 3 ? ++i : i",
+                                   "int i = 0; i != n; i += 2",
+                                   "int i = 0; i <= 2147483647; ++i",
+                                   "int i = 0; i < 2147483647; i += 2",
+                                   "int i = 0; i >= -2147483647 - 1; --i",
+                                   "uint i = u; i >= 0u; --i",
+                                   "uint i = u; i >= uint(n); --i",
+                                   "uint i = u; i > 0u; i -= 2u",
+                                   "uint i = 0u; i <= 4294967295u; ++i",
+                                   "float t = 0.0; t < x; t += 0.1",
+                                   "float t = 0.0; t < x; t += 1e-9",
+                                   "float t = 0.0; t < 9.0; t += x"}) {
+    EXPECT_FALSE(bounded("for (" + header + ") { if (n == 7) break; }")) << header;
+  }
+}
+
+TEST_F(Loops, GlobalsMayBeModifiedByWhatIsCalled) {
+  EXPECT_FALSE(bounded("for (int i = 0; i < global; ++i) side();"));
+  EXPECT_FALSE(bounded("for (global = 0; global < n; ++global) side();"));
+  EXPECT_TRUE(bounded("for (int i = 0; i < global; ++i) x += 1.0;"));
 }
 
 TEST_F(Loops, LimitOrCounterThatMovesIsNot) {

@@ -50,9 +50,10 @@ std::vector<fs::path> find_files(const fs::path& library, std::error_code& error
   for (fs::recursive_directory_iterator entry(library, error), end; !error && entry != end;
        entry.increment(error)) {
     const fs::path name = entry->path().lexically_relative(library);
+    std::error_code ignored;  // a link that leads nowhere, or round
     if (name == "programs") {
       entry.disable_recursion_pending();
-    } else if (name.extension() == ".glsl" && entry->is_regular_file()) {
+    } else if (name.extension() == ".glsl" && entry->is_regular_file(ignored)) {
       files.push_back(name);
     }
   }

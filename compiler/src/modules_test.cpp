@@ -43,12 +43,26 @@ TEST(Modules, MissingLibrary) {
             "none: error: cannot read the shader library: No such file or directory");
 }
 
-TEST(LibraryLocation, InstalledLibraryBeatsTheSourceTree) {
+TEST(LibraryLocation, InstalledProgramsDoNotFallBackOnTheSourceTree) {
   const TemporaryTree tree;
   const std::string program = tree.file("bin/gnomonc", "");
-  EXPECT_TRUE(shader_library(program).ends_with("shaderlib"));
+  const std::string library = (std::filesystem::canonical(tree.path("")) / "share/gnomon").string();
+  EXPECT_EQ(shader_library(program), library);
   tree.file("share/gnomon/core/map.glsl", "");
-  EXPECT_EQ(shader_library(program), std::filesystem::canonical(tree.path("share/gnomon")).string());
+  EXPECT_EQ(shader_library(program), library);
+}
+
+TEST(LibraryLocation, ProgramsOfTheBuildTreeTakeTheSourceTree) {
+  EXPECT_EQ(shader_library(GNOMON_BUILD_BIN "/gnomonc"), GNOMON_SOURCE_SHADERLIB);
+}
+
+TEST(Modules, LinksThatGoRoundAreNone) {
+  const TemporaryTree tree;
+  tree.file("library/core/a.glsl", "// summary: A.\n");
+  std::filesystem::create_symlink("x.glsl", tree.path("library/core/x.glsl"));
+  const auto modules = list_modules(tree.path("library"));
+  ASSERT_TRUE(modules);
+  EXPECT_EQ(modules->size(), 1u);
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr unsigned kSecondsPerMutant = 20;
-constexpr size_t kProgramStep = 100;  // every so many mutants one goes through gnomonc too
+constexpr unsigned kSecondsPerProgram = 8;  // twice less than the above
+constexpr size_t kProgramStep = 100;        // every so many mutants one goes through gnomonc too
 
 struct Arguments {
   size_t mutants = 1000;
@@ -95,7 +96,11 @@ class Corpus {
   explicit Corpus(const fs::path& root) : root_(root) {
     fs::remove_all(root);
     fs::create_directories(root);
-    fs::copy(GNOMON_SOURCE_SHADERLIB, root / "library", fs::copy_options::recursive);
+    // An installation: the program finds the damaged library beside its own folder.
+    fs::create_directories(root / "share");
+    fs::copy(GNOMON_SOURCE_SHADERLIB, root / "share" / "gnomon", fs::copy_options::recursive);
+    fs::create_directory(root / "bin");
+    fs::copy(GNOMONC, root / "bin" / "gnomonc");
     fs::copy(GNOMON_MISTAKES, root / "mistakes", fs::copy_options::recursive);
     for (const auto& entry : fs::recursive_directory_iterator(root)) {
       static const std::set<std::string> extensions = {".glsl", ".frag", ".vert", ".geom", ".comp"};
@@ -107,7 +112,7 @@ class Corpus {
       originals_.push_back(read_bytes(path).value_or(""));
       names_.push_back(include_name(path));
     }
-    options.library_directory = (root / "library").string();
+    options.library_directory = (root / "share" / "gnomon").string();
     for (const std::string& path : paths_) closures_.push_back(closure(path));
   }
 
@@ -124,7 +129,7 @@ class Corpus {
 
  private:
   [[nodiscard]] std::string include_name(const std::string& path) const {
-    const fs::path in_library = fs::path(path).lexically_relative(root_ / "library");
+    const fs::path in_library = fs::path(path).lexically_relative(root_ / "share" / "gnomon");
     if (*in_library.begin() != "..") return "<gnomon/" + in_library.string() + ">";
     return "\"" + fs::path(path).filename().string() + "\"";
   }
@@ -218,10 +223,14 @@ std::string try_library(const Mutant& mutant, const Corpus& corpus) {
 std::string try_program(const Mutant& mutant, const Corpus& corpus) {
   const std::string log = (corpus.root() / "stderr.txt").string();
   for (const std::string verb : {"build -o /dev/null", "check"}) {
-    const std::string command = "'" GNOMONC "' " + verb + " --target " + mutant.options.target + " '" +
-                                corpus.path(mutant.main) + "' 2> '" + log + "'";
+    // A timeout of its own: the alarm of this process ends no child.
+    const std::string command = "timeout -s KILL " + std::to_string(kSecondsPerProgram) + " '" +
+                                (corpus.root() / "bin" / "gnomonc").string() + "' " + verb + " --target " +
+                                mutant.options.target + " '" + corpus.path(mutant.main) + "' 2> '" + log +
+                                "'";
     const int status = std::system(command.c_str());
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (code == 128 + SIGKILL) return "gnomonc " + verb + " hangs";
     if (code < 0 || code > 2) return "gnomonc " + verb + " ends with " + std::to_string(code);
     if (code != 0 && read_bytes(log).value_or("").empty()) return "gnomonc " + verb + " fails without a word";
   }

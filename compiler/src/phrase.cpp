@@ -200,6 +200,15 @@ std::string_view Phrasing::line(int number) const {
   return number >= 1 && index < lines_.size() ? lines_[index] : std::string_view();
 }
 
+// The code before a line, blank lines and directives left out.
+std::string_view Phrasing::line_before(int number) const {
+  while (--number >= 1) {
+    const std::string_view text = trim(line(number));
+    if (!text.empty() && !is_directive(text)) return text;
+  }
+  return {};
+}
+
 // Where glslang has read a directive to its end before it complains, it names the line behind it.
 int Phrasing::line_of_directive(const Entry& entry) const {
   const bool is_condition = entry.token == "preprocessor evaluation";
@@ -285,7 +294,8 @@ std::string Phrasing::unexpected_character(const Entry& entry) const {
 
 std::string Phrasing::text_of(const Entry& entry) const {
   const std::string_view reason = entry.reason;
-  if (reason.starts_with("syntax error")) return spell_syntax_error(reason, line(entry.line));
+  if (reason.starts_with("syntax error"))
+    return spell_syntax_error(reason, line(entry.line), line_before(entry.line));
   if (reason.starts_with("undeclared identifier")) return undeclared(entry);
   if (reason.starts_with("no matching overloaded function found")) return no_overload(entry);
   if (reason.starts_with("no such field")) {
@@ -326,6 +336,11 @@ Message Phrasing::message(std::string_view text, int line) const {
     message.related = earlier_declaration(entry.token, line, false);
   if (entry.reason.starts_with("function already has a body"))
     message.related = earlier_declaration(entry.token, line, true);
+  if (entry.reason.starts_with("overloaded functions must have the same return type")) {
+    message.related = earlier_declaration(entry.token, line, true);
+    message.text = fmt::format("'{}': declared before with another result: '{}'; correct the type here",
+                               entry.token, trim(this->line(message.related)));
+  }
   return message;
 }
 

@@ -27,6 +27,7 @@ class Phrasing {
   };
 
   [[nodiscard]] std::string_view line(int number) const;
+  [[nodiscard]] std::string_view line_before(int number) const;
   [[nodiscard]] int line_of_directive(const Entry& entry) const;
   [[nodiscard]] int earlier_declaration(std::string_view name, int before, bool is_function) const;
   [[nodiscard]] bool defines(std::string_view macro, std::string_view word) const;
@@ -44,7 +45,8 @@ class Phrasing {
 [[nodiscard]] std::string spell_type(std::string_view type);
 
 /// "syntax error, unexpected INT, expecting COMMA or SEMICOLON" in words. `line`: the code of its line, where
-/// keywords keep their capitals.
-[[nodiscard]] std::string spell_syntax_error(std::string_view reason, std::string_view line);
+/// keywords keep their capitals and a name is looked for; `before`: the code before that line.
+[[nodiscard]] std::string spell_syntax_error(std::string_view reason, std::string_view line,
+                                             std::string_view before);
 
 }  // namespace gnomon::compiler

@@ -31,6 +31,7 @@ std::string statements(const Target& target) {
 
 struct Line {
   std::string_view text;
+  std::string_view code;  // the text with its comments blank
   LineOrigin origin;
   std::string_view directive{};  // "if", "extension"; empty for other lines
   bool is_code = false;
@@ -55,7 +56,7 @@ std::vector<Line> read_lines(const Assembled& assembled, std::string_view code) 
   std::vector<std::string_view> open;  // conditionals; the macro of an #ifndef that may be a guard
   std::vector<bool> is_guard;
   for (size_t i = 0; i < texts.size() && i < assembled.origins.size(); ++i) {
-    Line line{texts[i], assembled.origins[i]};
+    Line line{texts[i], codes[i], assembled.origins[i]};
     std::string_view words = trim(codes[i]);
     line.is_code = !words.empty() && !words.starts_with('#');
     if (words.starts_with('#')) {
@@ -80,6 +81,15 @@ std::vector<Line> read_lines(const Assembled& assembled, std::string_view code) 
   return lines;
 }
 
+// What stays where a directive is taken out: a comment may go on in the next line.
+std::string comments_of(const Line& line) {
+  std::string comments(line.text);
+  for (size_t i = 0; i < comments.size(); ++i) {
+    if (trim(line.code.substr(i, 1)).size() > 0) comments[i] = ' ';
+  }
+  return std::string(trim(comments));
+}
+
 class Rewriter {
  public:
   explicit Rewriter(std::string precisions) : precisions_(std::move(precisions)) {}
@@ -95,7 +105,7 @@ class Rewriter {
     size_t at = 0;
     for (; at < lines.size() && is_front(lines[at]); ++at) emit(lines[at].text, lines[at].origin);
     for (const Line& line : lines) {
-      if (is_extension(line) && line.depth == 0) emit(line.text, line.origin);
+      if (is_extension(line) && line.depth == 0) emit(trim(line.code), line.origin);
     }
     bool needed = last_conditional != nullptr;
     if (!needed) emit(precisions_, {});
@@ -110,10 +120,11 @@ class Rewriter {
         // Behind a conditional it has to be said again: the branch may not hold.
         if (line.depth == 0) needed = false;
       }
-      emit(is_extension(line) && line.depth == 0 ? std::string_view{} : line.text, line.origin);
+      emit(is_extension(line) && line.depth == 0 ? comments_of(line) : std::string(line.text), line.origin);
     }
     result_.files = from.files;
     result_.inclusions = from.inclusions;
+    result_.includes = from.includes;
     result_.warnings = from.warnings;
     return std::move(result_);
   }
@@ -133,6 +144,7 @@ class Rewriter {
 void add_precisions(Assembled& assembled, const Target& target) {
   const std::string code = blank_comments(assembled.text);
   assembled = Rewriter(statements(target)).rewrite(assembled, read_lines(assembled, code));
+  keep_library_precise(assembled);
 }
 
 }  // namespace gnomon::compiler

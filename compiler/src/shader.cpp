@@ -15,8 +15,8 @@
 #include "inspect.h"
 #include "lacks.h"
 #include "log.h"
+#include "near_miss.h"
 #include "numbering.h"
-#include "prototype.h"
 #include "text.h"
 
 namespace gnomon::compiler {
@@ -92,16 +92,6 @@ std::string name_after(std::string_view log, std::string_view marker) {
   return line.substr(0, line.find('('));
 }
 
-Message undefined_function(const std::string& name, const std::string& text, const Shader& shader) {
-  const int prototype = line_of_prototype(text, name);
-  const bool is_host_function = name.starts_with("gnomon_host_");
-  return {
-      prototype > 0 ? prototype : line_of(shader.undefined, name),
-      fmt::format("function '{}' is declared and called, but not defined: {}", name,
-                  is_host_function ? "define it, or include a ready-made host such as <gnomon/host/r32f.glsl>"
-                                   : "define it, or include the file that does")};
-}
-
 // The linker names functions, but no lines.
 Message read_link_log(std::string_view log, const std::string& text, const Shader& shader) {
   if (const std::string name = name_after(log, "No function definition (body) found:"); !name.empty()) {
@@ -174,8 +164,10 @@ void bind_push_constants(Shader& shader) {
 // What glslang must not be given.
 std::optional<Message> find_unbearable(const std::string& text, Stage stage, const Target& target) {
   if (auto excess = find_excess(text)) return excess;
+  const std::string preprocessed = preprocess(text, stage, target);
+  if (auto depth = find_depth(preprocessed, target.rules != Rules::kOpenGl)) return depth;
   if (target.rules != Rules::kVulkan) return std::nullopt;
-  return find_uniform_collision(preprocess(text, stage, target));
+  return find_uniform_collision(preprocessed);
 }
 
 }  // namespace
@@ -209,6 +201,7 @@ Shader compile(const std::string& text, Stage stage, const Target& target) {
   TIntermNode& root = *unit.getIntermediate()->getTreeRoot();
   DeclarationLines lines(text, stage, target);
   shader.error = find_oversized_uniform(root, lines);
+  if (!shader.error) shader.error = find_deep_nesting(root);
   if (shader.error) return shader;
   find_functions(root, shader);
   shader.unbounded_loops = find_unbounded_loops(root);

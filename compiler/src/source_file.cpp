@@ -107,25 +107,26 @@ class Conditionals {
   std::vector<Open> open_;
 };
 
-// Whether the first directives of the file are #ifndef NAME and #define NAME, with no code before them.
-bool begins_with_guard(const std::vector<SourceLine>& lines) {
+// NAME where the first directives of the file are #ifndef NAME and #define NAME, with no code before them.
+std::string_view find_guard(const std::vector<SourceLine>& lines) {
   std::string_view guard;
   for (const SourceLine& line : lines) {
     if (line.blank) continue;
     if (guard.empty()) {
-      if (line.directive != "ifndef") return false;
+      if (line.directive != "ifndef") return {};
       guard = line.argument;
     } else {
       std::string_view defined = line.argument;
-      return line.directive == "define" && take_word(defined) == guard;
+      return line.directive == "define" && take_word(defined) == guard ? guard : std::string_view{};
     }
   }
-  return false;
+  return {};
 }
 
 // Fills in `dead` and `conditional`, and whether the guard, if any, holds everything.
 std::optional<Diagnostic> find_conditionals(const std::string& path, SourceFile& file) {
-  bool guard_expected = begins_with_guard(file.lines);
+  file.guard = find_guard(file.lines);
+  bool guard_expected = !file.guard.empty();
   file.guarded = guard_expected;
   bool guard_closed = false;
   Conditionals conditionals;

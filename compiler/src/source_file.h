@@ -27,6 +27,7 @@ struct SourceFile {
   std::vector<SourceLine> lines;
   bool guarded = false;  ///< nothing stands outside of the file's include guard, or it has #pragma once
   bool once = false;     ///< it has #pragma once
+  std::string guard;     ///< the macro of its include guard; empty where it has none
 };
 
 [[nodiscard]] bool is_pragma_once(const SourceLine& line);

@@ -85,6 +85,32 @@ std::string spell_token(std::string_view token, std::string_view line) {
   return "'" + spell_keyword(token, line) + "'";
 }
 
+// The names and numbers of a line that cannot stand where they stand: behind another one, or behind a closing
+// parenthesis. `before`: what the line goes on with, where that is no end of a statement.
+std::vector<std::string_view> find_misplaced(std::string_view line, std::string_view before, bool is_number) {
+  const auto is_value = [](const Token& token) { return is_word_character(token.text.front()); };
+  std::vector<std::string_view> all;
+  std::vector<std::string_view> misplaced;
+  bool follows = !before.empty() && std::string_view(";{}").find(before.back()) == before.npos;
+  for (const Token& token : tokenize(line)) {
+    const bool is_digit = token.text.front() >= '0' && token.text.front() <= '9';
+    if (is_value(token) && is_digit == is_number) {
+      all.push_back(token.text);
+      if (follows) misplaced.push_back(token.text);
+    }
+    follows = (is_value(token) && !token.is("return") && !token.is("else")) || token.is(")") || token.is("]");
+  }
+  return misplaced.empty() ? all : misplaced;
+}
+
+// The token with its text where only one can be meant: the grammar does not tell it.
+std::string spell_found(std::string_view token, std::string_view line, std::string_view before) {
+  const std::string kind = spell_token(token, line);
+  if (kind != "a name" && kind != "a type name" && kind != "a number") return kind;
+  const std::vector<std::string_view> found = find_misplaced(line, before, kind == "a number");
+  return found.size() == 1 ? fmt::format("the {} '{}'", kind.substr(2), found.front()) : kind;
+}
+
 bool is_keyword(std::string_view token) {
   const std::string spelled = spell_token(token, {});
   return spelled.size() > 3 && spelled.front() == '\'' && is_word_character(spelled[1]);
@@ -118,7 +144,7 @@ std::string advice(std::string_view found, std::string_view expected) {
 
 }  // namespace
 
-std::string spell_syntax_error(std::string_view reason, std::string_view line) {
+std::string spell_syntax_error(std::string_view reason, std::string_view line, std::string_view before) {
   constexpr std::string_view unexpected = "unexpected ";
   constexpr std::string_view expecting = ", expecting ";
   const size_t at = reason.find(unexpected);
@@ -129,7 +155,7 @@ std::string spell_syntax_error(std::string_view reason, std::string_view line) {
   found = trim(found.substr(0, end));
 
   const bool at_end = found == "end of file";
-  const std::string what = at_end ? "the file ends" : "found " + spell_token(found, line);
+  const std::string what = at_end ? "the file ends" : "found " + spell_found(found, line, before);
   std::string where = " where ";
   if (expected.empty()) {
     where = at_end ? " too early" : ", which cannot stand here";

@@ -6,9 +6,10 @@
 
 namespace gnomon {
 
-/// The folder that <gnomon/...> names, for the program at `executable` (its path, or /proc/self/exe):
-/// share/gnomon beside the program's bin folder where it is installed, else the source tree that the program
-/// was built from. Where neither exists it is the installed place, so that a later error names it.
+/// The folder that <gnomon/...> names, for the program at `executable` (its path, or /proc/self/exe): where
+/// the installation puts it, seen from the program's folder, which is ../share/gnomon unless CMake was told
+/// another CMAKE_INSTALL_BINDIR. For a program of the build tree: the source tree. An installed program never
+/// falls back on that: where its library is missing, a later error names the installed place.
 [[nodiscard]] std::string shader_library(const std::string& executable);
 
 }  // namespace gnomon

@@ -70,6 +70,7 @@ struct Inclusion {
   int file = 0;     ///< index into Assembled::files
   int parent = -1;  ///< index into Assembled::inclusions of the file with the #include, -1 for the main file
   int line = 0;     ///< 1-based line of that #include
+  bool in_library = false;  ///< the file lies in the library
 };
 
 /// File `includer` includes file `included`: both index Assembled::files.
@@ -147,13 +148,15 @@ struct Compiled {
 ///
 /// A loop without a bound is an error in a file below the library directory, a warning elsewhere. Bounded is
 /// a `for`
-/// * that initialises its counter and steps it in its header (++ and += upwards, -- and -= downwards, or any
-/// other
-///   assignment), and does not modify it in its body;
-/// * whose condition compares that counter by < <= > >= != with an expression that the loop does not modify
-/// and that
-///   calls no function of the shader; other conditions may be joined to the comparison by &&.
-/// Every `while` and `do` counts as unbounded. What a called function does to globals is not followed.
+/// * that initialises its counter, an int or uint, and steps it in its header by a constant other than 0 (++,
+/// --, +=, -=, i = i + 2), and does not modify it in its body;
+/// * whose condition compares that counter by < <= > >= with a limit that lies in the direction of the step,
+/// or by != where the step is 1 or -1; other conditions may be joined to the comparison by &&;
+/// * whose limit is an expression that the loop does not modify and that calls no function of the shader, and
+/// that the counter cannot jump over at the end of its type: i <= 2147483647 always holds, and so does
+/// i >= n for a uint where n may be 0.
+/// Every `while` and `do` counts as unbounded, and so does a loop over floats: a small step may change
+/// nothing. What is global counts as modified where the loop calls functions of the shader.
 [[nodiscard]] Result<Compiled> build(const std::string& path, const Options& options);
 
 /// Like build, but also takes a file without main(), a module, alone (as a fragment shader where nothing

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gnomon/compiler/compiler.h"
@@ -25,8 +26,13 @@ struct CppHeader {
 /// modules; files of the library are called gnomon/..., on every machine.
 ///
 /// Each module is checked first, see check(). Fails as that does, and (kInvalid) for a file with main().
-/// The modules have to keep to the part of GLSL that is C++ (docs/architecture.md): that is the C++
-/// compiler's to judge.
+/// The modules have to keep to the part of GLSL that is C++ (docs/architecture.md). Refused (kFailed) is what
+/// would compile and mean something else, and what is most often forgotten: floats without an f, array
+/// constructors, variables outside of functions, declarations by macros; the rest is the C++ compiler's to
+/// judge. Precisions are left out.
 [[nodiscard]] Result<CppHeader> cpp_header(const std::vector<std::string>& paths, const Options& options);
+
+/// Whether a namespace or class may be called so: an identifier that is no word of C++ and not reserved.
+[[nodiscard]] bool is_cpp_name(std::string_view name);
 
 }  // namespace gnomon::compiler

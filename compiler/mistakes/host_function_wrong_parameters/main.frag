@@ -1,0 +1,4 @@
+#include <gnomon/core/height_map.glsl>
+float gnomon_host_height(ivec3 s, int q) { return 1.0; }
+out vec4 color;
+void main() { color = vec4(gnomon_host_height(ivec2(0), 0)); }
