@@ -94,6 +94,47 @@ TEST_F(Gnomon, UnreadableHeightMapsAreTwoAndLeaveTheOutputAlone) {
   }
 }
 
+TEST_F(Gnomon, RendersAHeightMapAtATimeAndSaysWhereTheSunStands) {
+  const std::string map = "--heightmap " + quote(GNOMON_SOURCE_DIR "/testcases/terrain/jacksboro.png");
+  const Ran ran = run("render " + map + " --time 2024-06-21T12:00Z --at 36.4,-84.2 -o time.exr");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_SAYS(ran,
+              "sun on 2024-06-21T12:00:00Z at latitude 36.4, longitude -84.2: elevation 17.72525 degrees");
+  EXPECT_SAYS(ran, "azimuth 73.55456 from true north");
+  ASSERT_EQ(run("render " + map + " --sun 73.55456,17.72525 -o angles.exr").code, 0);
+  EXPECT_EQ(run("diff time.exr angles.exr --channel b_shadow --max-mismatch 0.0005").code, 0);
+  ASSERT_EQ(run("render " + map + " -o default.exr").code, 0);
+  EXPECT_EQ(run("diff time.exr default.exr --channel b_shadow --max-mismatch 0.0005").code, 1);
+}
+
+TEST_F(Gnomon, ATimeNeedsAPlaceAndNoOtherSun) {
+  const std::string map =
+      "render --heightmap " + quote(GNOMON_SOURCE_DIR "/testcases/terrain/jacksboro.png") + " -o o.exr ";
+  for (const auto& [options, says] :
+       {std::pair{"--time 2024-06-21T12:00:00Z",
+                  "--time: error: the height map does not say where on the "
+                  "earth it lies: add --at LAT,LON"},
+        {"--time 2024-06-21T12:00:00 --at 1,2", "--time: expected a time in UTC"},
+        {"--time 2024-02-30T12:00:00Z --at 1,2", "February 2024 has the days 01 to 29"},
+        {"--time 2024-06-21T12:00:00Z --at 91,2", "--at: error: a latitude lies between -90 and 90"},
+        {"--time 2024-06-21T12:00:00Z --at 1,200", "a longitude between -180 and 180"},
+        {"--time 2024-06-21T12:00:00Z --at 1", "'1' is not LAT,LON"},
+        {"--at 1,2", "--at: says where the map lies at a --time"},
+        {"--sun 1,2 --time 2024-06-21T12:00:00Z --at 1,2", "leave one out"}}) {
+    const Ran ran = run(map + options);
+    EXPECT_EQ(ran.code, 2) << options;
+    EXPECT_SAYS(ran, says);
+  }
+  write_scene("a", R"([{"reference": {}}])");
+  EXPECT_EQ(run("render testcases/a.json -o o.exr --time 2024-06-21T12:00:00Z --at 1,2").code, 2);
+  EXPECT_FALSE(fs::exists(root_ / "o.exr"));
+  const Ran set =
+      run("render testcases/a.json -o o.exr --set sun.time=2024-06-21T12:00:00Z "
+          "--set sun.latitude=36.4 --set sun.longitude=-84.2");
+  EXPECT_EQ(set.code, 0) << set.output;
+  EXPECT_SAYS(set, "elevation 17.72525 degrees");
+}
+
 TEST_F(Gnomon, UnwritableOutputIsNinetyNine) {
   write_scene("a", R"([{"reference": {}}])");
   EXPECT_EQ(run("render testcases/a.json -o missing/o.exr").code, 99);

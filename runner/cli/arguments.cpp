@@ -139,6 +139,17 @@ void add_map_options(CLI::App* app, RenderArguments& a) {
   add_pair<double>(app, "--sun", a.sun, ',', false, "AZIMUTH,ELEVATION",
                    "degrees clockwise from grid north, degrees above the horizon. Default 315,45");
   app->add_option_function<std::string>(
+         "--time",
+         [&a](const std::string& text) {
+           const Result<ephemeris::Utc> time = ephemeris::parse_utc(text);
+           if (!time) throw CLI::ValidationError("--time", time.diagnostics().front().message);
+           a.time = *time;
+         },
+         "where the sun stands at this time, such as 2024-06-21T12:00:00Z; geometric, without refraction")
+      ->type_name("UTC");
+  add_pair<double>(app, "--at", a.at, ',', false, "LAT,LON",
+                   "of --time: where the map lies, degrees north and degrees east");
+  app->add_option_function<std::string>(
          "--method",
          [&a](const std::string& name) {
            check_method(name);
@@ -250,8 +261,8 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
 void check_render(const RenderArguments& a) {
   if (a.scene.empty() == a.heightmap.empty())
     throw CLI::ValidationError("render", "needs a SCENE.json or --heightmap FILE");
-  const bool map_option =
-      a.sun || a.method || a.q || a.receiver_height || a.size || a.spacing || a.vertical_scale || a.channel;
+  const bool map_option = a.sun || a.time || a.at || a.method || a.q || a.receiver_height || a.size ||
+                          a.spacing || a.vertical_scale || a.channel;
   if (!a.scene.empty() && map_option) {
     throw CLI::ValidationError("render",
                                "--sun, --method, --q and the like go with --heightmap; a scene takes --set, "
@@ -261,6 +272,11 @@ void check_render(const RenderArguments& a) {
     throw CLI::ValidationError(
         "render", "--set goes with a scene; a height map takes --sun, --method, --q and the like");
   }
+  if (a.sun && a.time)
+    throw CLI::ValidationError("render", "--sun and --time both say where the sun stands: leave one out");
+  if (a.at && !a.time)
+    throw CLI::ValidationError("--at",
+                               "says where the map lies at a --time, such as --time 2024-06-21T12:00:00Z");
 }
 
 std::string commands_of(const CLI::App& root) {

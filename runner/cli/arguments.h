@@ -19,6 +19,8 @@ struct RenderArguments {
   std::string scene;                         ///< either a scene file
   std::string heightmap;                     ///< or an image of heights
   std::optional<std::array<double, 2>> sun;  ///< azimuth, elevation in degrees
+  std::optional<ephemeris::Utc> time;        ///< or when
+  std::optional<std::array<double, 2>> at;   ///< and where: latitude, longitude in degrees
   std::optional<std::string> method;
   std::optional<int> q;
   std::optional<double> receiver_height;         ///< metres

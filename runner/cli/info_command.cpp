@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "ephemeris/sun_position.h"
 #include "gl/choice.h"
 #include "gl/context.h"
 #include "gnomon/compiler/compiler.h"
@@ -32,7 +33,7 @@ std::string versions() {
          row("nlohmann-json", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
              NLOHMANN_JSON_VERSION_PATCH) +
          row("fmt", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100) +
-         row("CLI11", CLI11_VERSION) +
+         row("CLI11", CLI11_VERSION) + row("ERFA", ephemeris::library_version()) +
          row("GLM", fmt::format("{}.{}.{}.{}", GLM_VERSION_MAJOR, GLM_VERSION_MINOR, GLM_VERSION_PATCH,
                                 GLM_VERSION_REVISION));
 }

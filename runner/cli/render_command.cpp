@@ -1,16 +1,45 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/commands.h"
 #include "engine.h"
 #include "image/image.h"
 #include "scene/project.h"
+#include "scene/sun_at_time.h"
 
 namespace gnomon::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The sun by --time, --at and the map's georeference; what is wrong with them, or nothing.
+std::optional<Diagnostic> set_time(const RenderArguments& a, scene::Scene& scene) {
+  if (!a.time) return std::nullopt;
+  scene::SunTime time{.time = *a.time};
+  if (a.at) {
+    const auto [latitude, longitude] = *a.at;
+    if (std::abs(latitude) > 90 || std::abs(longitude) > 180) {
+      return Diagnostic{.file = "--at",
+                        .message =
+                            "a latitude lies between -90 and 90 degrees, a longitude between -180 and "
+                            "180; the latitude comes first"};
+    }
+    time.place = ephemeris::Place{latitude, longitude};
+  }
+  const std::optional<scene::SunOnMap> sun =
+      scene::sun_at(time, scene::map_centre(scene.terrain, vocabulary()));
+  if (!sun) {
+    return Diagnostic{.file = "--time",
+                      .message =
+                          "the height map does not say where on the earth it lies: add --at LAT,LON, in "
+                          "degrees north and east, such as --at 47.4,8.5"};
+  }
+  scene.sun = sun->sun;
+  scene.notes.push_back(sun->note);
+  return std::nullopt;
+}
 
 /// A scene around an image of heights, with what the options say and defaults for the rest.
 Result<scene::Scene> scene_of_height_map(const RenderArguments& a) {
@@ -30,6 +59,7 @@ Result<scene::Scene> scene_of_height_map(const RenderArguments& a) {
     }
     scene.sun = {.azimuth = azimuth - 360.0 * std::floor(azimuth / 360.0), .elevation = elevation};
   }
+  if (std::optional<Diagnostic> problem = set_time(a, scene)) return *problem;
   if (a.size && (std::min((*a.size)[0], (*a.size)[1]) < 1 || std::max((*a.size)[0], (*a.size)[1]) > 16384)) {
     return Diagnostic{.file = "--size", .message = "each side has to be 1 to 16384 pixels"};
   }
@@ -127,6 +157,7 @@ int run_command(const RenderArguments& arguments, Console& console) {
     }
     const Result<Rendered> rendered = engine.render(scene);
     if (!rendered) return report(console, rendered.diagnostics());
+    for (const std::string& note : scene.notes) console.err << note << "\n";
     for (const std::string& note : rendered->notes) console.err << note << "\n";
     const std::string path = output_of(arguments, scene, loaded.scenes.size() > 1);
     if (const Result<Done> written = write(path, *rendered, scene); !written)

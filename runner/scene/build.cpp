@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "scene/build_camera.h"
 #include "scene/build_ground.h"
+#include "scene/build_sun.h"
 #include "scene/suggest.h"
 #include "scene/values.h"
 #include "terrain/height_map.h"
@@ -106,37 +106,6 @@ Terrain read_terrain(const Value& value, const BuildContext& context, std::strin
     terrain.source = read_procedural(value, context.vocabulary, report);
   }
   return terrain;
-}
-
-/// An angle in [0, 360).
-double compass(double degrees) {
-  const double turned = std::fmod(degrees, 360.0);
-  const double positive = turned < 0 ? turned + 360.0 : turned;
-  return positive < 360.0 ? positive : 0.0;
-}
-
-Sun sun_towards(const Value& direction, Report& report) {
-  std::array<double, 3> v{};
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = direction.array()[i].number();
-  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-  if (largest == 0) {
-    report.error(direction.place, "/sun/direction",
-                 "the direction has no length; expected a vector towards the sun");
-    return {};
-  }
-  for (double& component : v) component /= largest;  // keeps the squares from overflowing
-  constexpr double kDegrees = 180.0 / std::numbers::pi;
-  return {compass(std::atan2(v[0], v[1]) * kDegrees), std::atan2(v[2], std::hypot(v[0], v[1])) * kDegrees};
-}
-
-Sun read_sun(const Value* value, Report& report) {
-  Sun sun;
-  if (!value) return sun;
-  if (const Value* direction = value->find("direction")) return sun_towards(*direction, report);
-  read_number(*value, "azimuth", sun.azimuth);
-  read_number(*value, "elevation", sun.elevation);
-  sun.azimuth = compass(sun.azimuth);
-  return sun;
 }
 
 Shadow read_shadow(const Value* value, const Vocabulary& vocabulary, Report& report) {
@@ -252,11 +221,10 @@ std::string canonical_json(const Scene& scene, const std::string& file_below_roo
     shadow.set("q", {std::string("auto")});
     shadow.set("max_anisotropy", {std::int64_t{scene.shadow.max_anisotropy}});
   }
-  Value canonical =
-      object({{"terrain", terrain},
-              {"sun", object({{"azimuth", {scene.sun.azimuth}}, {"elevation", {scene.sun.elevation}}})},
-              {"camera", canonical_camera(scene.camera)},
-              {"shadow", shadow}});
+  Value canonical = object({{"terrain", terrain},
+                            {"sun", canonical_sun(scene.sun)},
+                            {"camera", canonical_camera(scene.camera)},
+                            {"shadow", shadow}});
   // The map camera shows no ground: the section does not determine its image.
   if (!std::get_if<MapCamera>(&scene.camera)) canonical.set("ground", canonical_ground(scene.ground));
   return dump(canonical);
@@ -272,7 +240,12 @@ Scene build_scene(const Value& root, const BuildContext& context, Report& report
   if (const Value* terrain = root.find("terrain")) {
     scene.terrain = read_terrain(*terrain, context, file_below_root, report);
   }
-  scene.sun = read_sun(root.find("sun"), report);
+  const Value* written_sun = root.find("sun");
+  const bool by_time = written_sun && written_sun->find("time");
+  SunOnMap sun =
+      read_sun(written_sun, by_time ? map_centre(scene.terrain, context.vocabulary) : std::nullopt, report);
+  scene.sun = sun.sun;
+  if (!sun.note.empty()) scene.notes.push_back(std::move(sun.note));
   scene.camera = read_camera(root.find("camera"), context, report);
   scene.shadow = read_shadow(root.find("shadow"), context.vocabulary, report);
   scene.ground = read_ground(root.find("ground"), context, report);

@@ -95,6 +95,8 @@ TEST(SceneSchema, DefaultsAreThoseOfTheScene) {
   const Value& terrain = *alternatives(*member_schema(scene_schema(), "terrain")).front();
   EXPECT_EQ(default_at(sun, "azimuth").number(), Sun{}.azimuth);
   EXPECT_EQ(default_at(sun, "elevation").number(), Sun{}.elevation);
+  const Value& sun_by_time = *alternatives(*member_schema(scene_schema(), "sun")).back();
+  EXPECT_EQ(std::get<bool>(default_at(sun_by_time, "refraction").data), SunTime{}.refraction);
   EXPECT_EQ(default_at(shadow, "method").text(), Shadow{}.method);
   EXPECT_EQ(default_at(shadow, "q").number(), Shadow{}.q);
   EXPECT_EQ(default_at(shadow, "k_dark").number(), Shadow{}.k_dark);

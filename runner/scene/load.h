@@ -14,7 +14,14 @@
 
 namespace gnomon::scene {
 
-/// Names that a scene may use but that other libraries own.
+/// Where the middle of a height map lies, by its georeference.
+struct MapCentre {
+  ephemeris::Place place;
+  /// Meridian convergence there: degrees from true north clockwise to grid north.
+  double convergence = 0;
+};
+
+/// Names that a scene may use but that other libraries own, and what they know of terrain files.
 struct Vocabulary {
   std::vector<std::string> methods;  ///< shadow methods
   std::map<std::string, std::vector<std::string>>
@@ -23,6 +30,9 @@ struct Vocabulary {
   /// Width and height of a terrain file in samples, if it can tell cheaply. Unset or nullopt: what depends on
   /// the size (shadow.q, levels, probes) is left to `check_size`.
   std::function<std::optional<std::array<int, 2>>(const FileTerrain&)> file_size;
+  /// The middle of a terrain file, if it has a georeference. Unset or nullopt: a sun by time needs a place,
+  /// and its azimuth from true north is taken for that from grid north.
+  std::function<std::optional<MapCentre>(const FileTerrain&)> map_centre;
 };
 
 /// Either tests or errors: nothing is rendered from an invalid scene.

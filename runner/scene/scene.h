@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "ephemeris/sun_position.h"
+
 namespace gnomon::scene {
 
 struct FileTerrain {
@@ -39,10 +41,18 @@ struct Terrain {
   friend bool operator==(const Terrain&, const Terrain&) = default;
 };
 
-/// Either angles in degrees, or a direction towards the sun that `load` has turned into angles.
+/// When and where the sun was asked for.
+struct SunTime {
+  ephemeris::Utc time;
+  std::optional<ephemeris::Place> place{};  ///< absent: the middle of the map
+  bool refraction = false;                  ///< whether the elevation is that which the air shows
+};
+
+/// Angles in degrees. A direction or a time `load` has turned into them.
 struct Sun {
-  double azimuth = 315.0;   ///< degrees clockwise from grid north, in [0, 360)
-  double elevation = 45.0;  ///< degrees above the horizon, in [-90, 90]
+  double azimuth = 315.0;         ///< degrees clockwise from grid north, in [0, 360)
+  double elevation = 45.0;        ///< degrees above the horizon, in [-90, 90]
+  std::optional<SunTime> time{};  ///< what they follow from, if it is that
 };
 
 /// One pixel per height sample, or `size` pixels over the whole map.
@@ -133,6 +143,7 @@ struct Scene {
   std::string canonical_json;
   /// The --set arguments (KEY=VALUE) that were applied, for the reproduce command.
   std::vector<std::string> overrides;
+  std::vector<std::string> notes;  ///< what a user should know, such as where the sun stands by its time
   Terrain terrain;
   Sun sun;
   Camera camera;

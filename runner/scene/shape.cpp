@@ -101,6 +101,14 @@ class Settler {
         "expected " + describe_with_unit(node) + ", got " + excerpt(value) + ". " + description(node));
   }
 
+  /// Why `key` of the alternative `other` cannot stand in the chosen one. One that requires no key is chosen
+  /// where nothing else is: then what is missing is a key of the other.
+  static std::string mixed(const std::string& key, const Value& chosen, const Value& other) {
+    const std::vector<std::string> required = required_keys(chosen);
+    if (required.empty()) return "\"" + key + "\" needs " + quoted_list(required_keys(other)) + " beside it";
+    return "\"" + key + "\" does not go together with " + quoted_list(required) + ": give one or the other";
+  }
+
   /// Keys that belong to another alternative than the chosen one. They are accepted in `settled`, being
   /// reported here.
   void report_mixed(const Value& node, const Value& chosen, const Value& value, const std::string& pointer,
@@ -108,13 +116,11 @@ class Settler {
     for (const Member& member : members_of(value)) {
       if (member_schema(chosen, member.key)) continue;
       const std::vector<const Value*> all = alternatives(node);
-      const bool elsewhere = std::any_of(all.begin(), all.end(), [&](const Value* alternative) {
+      const auto other = std::find_if(all.begin(), all.end(), [&](const Value* alternative) {
         return member_schema(*alternative, member.key);
       });
-      if (!elsewhere) continue;
-      report_.error(member.place, child(pointer, member.key),
-                    "\"" + member.key + "\" does not go together with " + quoted_list(required_keys(chosen)) +
-                        ": give one or the other");
+      if (other == all.end()) continue;
+      report_.error(member.place, child(pointer, member.key), mixed(member.key, chosen, **other));
       settled.find("properties")->set(member.key, {Object{}});
     }
   }

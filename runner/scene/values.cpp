@@ -2,6 +2,7 @@
 #include "scene/values.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -16,6 +17,12 @@ int integer_of(const json::Value& value) {
 
 std::array<int, 2> integer_pair_of(const json::Value& value) {
   return {integer_of(value.array()[0]), integer_of(value.array()[1])};
+}
+
+double compass(double degrees) {
+  const double turned = std::fmod(degrees, 360.0);
+  const double positive = turned < 0 ? turned + 360.0 : turned;
+  return positive < 360.0 ? positive : 0.0;
 }
 
 InsideFile inside_file(const json::Value& name, const std::string& pointer, const BuildContext& context,

@@ -17,6 +17,9 @@ namespace gnomon::scene {
 [[nodiscard]] int integer_of(const json::Value& value);
 [[nodiscard]] std::array<int, 2> integer_pair_of(const json::Value& value);
 
+/// The angle in [0, 360) that is as many degrees but for whole turns.
+[[nodiscard]] double compass(double degrees);
+
 /// The file of this name, relative to the scene's folder; reports one outside of the root, or none.
 [[nodiscard]] InsideFile inside_file(const json::Value& name, const std::string& pointer,
                                      const BuildContext& context, Report& report);

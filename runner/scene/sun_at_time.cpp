@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "scene/sun_at_time.h"
+
+#include <fmt/format.h>
+
+#include "scene/values.h"
+
+namespace gnomon::scene {
+
+std::optional<MapCentre> map_centre(const Terrain& terrain, const Vocabulary& vocabulary) {
+  const auto* file = std::get_if<FileTerrain>(&terrain.source);
+  if (!file || file->path.empty() || !vocabulary.map_centre) return std::nullopt;
+  return vocabulary.map_centre(*file);
+}
+
+std::optional<SunOnMap> sun_at(const SunTime& time, const std::optional<MapCentre>& centre) {
+  if (!time.place && !centre) return std::nullopt;
+  const ephemeris::Place place = time.place ? *time.place : centre->place;
+  const ephemeris::SunPosition position = ephemeris::sun_position(time.time, place);
+  const double lift = time.refraction ? ephemeris::refraction(position.elevation) : 0.0;
+  const double convergence = centre ? centre->convergence : 0.0;
+  const Sun sun{compass(position.azimuth - convergence), position.elevation + lift, time};
+  std::string note =
+      fmt::format("sun on {} at latitude {:.10g}, longitude {:.10g}: elevation {:.5f} degrees",
+                  ephemeris::to_string(time.time), place.latitude, place.longitude, sun.elevation);
+  note += time.refraction ? fmt::format(" (refraction: {:.5f})", lift) : "";
+  note += fmt::format(", azimuth {:.5f} from true north", position.azimuth);
+  note += centre
+              ? fmt::format(", {:.5f} from grid north (meridian convergence {:.5f} in the middle of the map)",
+                            sun.azimuth, convergence)
+              : ", and the same from grid north (meridian convergence 0: the map names no coordinate system)";
+  return SunOnMap{sun, note};
+}
+
+}  // namespace gnomon::scene
