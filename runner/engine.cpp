@@ -38,13 +38,19 @@ std::array<double, 2> spacing_of(const scene::Terrain& terrain) {
   return terrain.spacing.value_or(std::array{1.0, 1.0});
 }
 
+double scale_of(const scene::Terrain& terrain) {
+  return terrain.vertical_scale.value_or(1.0);
+}
+
 struct MakeTerrain {
   const scene::Terrain& terrain;
 
   Result<LoadedHeightMap> operator()(const scene::FileTerrain& file) const {
-    return terrain::load_height_map(
-        file.path,
-        {.spacing = terrain.spacing, .vertical_scale = terrain.vertical_scale, .channel = file.channel});
+    return terrain::load_height_map(file.path, {.spacing = terrain.spacing,
+                                                .vertical_scale = terrain.vertical_scale,
+                                                .channel = file.channel,
+                                                .raw = file.raw,
+                                                .nodata = file.nodata});
   }
 
   Result<LoadedHeightMap> operator()(const scene::InlineTerrain& table) const {
@@ -56,7 +62,7 @@ struct MakeTerrain {
                   .domain_width = double(table.width),
                   .domain_height = double(table.height)};
     std::transform(table.heights.begin(), table.heights.end(), std::back_inserter(map.samples),
-                   [&](double stored) { return static_cast<float>(stored * terrain.vertical_scale); });
+                   [&](double stored) { return static_cast<float>(stored * scale_of(terrain)); });
     return LoadedHeightMap{std::move(map), {}};
   }
 
@@ -68,7 +74,7 @@ struct MakeTerrain {
                                                       .seed = made.seed,
                                                       .spacing_x = x,
                                                       .spacing_y = y,
-                                                      .vertical_scale = terrain.vertical_scale,
+                                                      .vertical_scale = scale_of(terrain),
                                                       .parameters = made.parameters});
     if (!map) return map.diagnostics();
     return LoadedHeightMap{std::move(map).value(), {}};
@@ -115,7 +121,7 @@ Result<std::shared_ptr<const HeightMap>> Engine::terrain(const Scene& scene) {
   if (!loaded) return in_scene(loaded.diagnostics(), scene);
   if (Diagnostics wrong = check_spacing(loaded->map, scene); !wrong.empty()) return wrong;
   terrain_ = LoadedTerrain{scene.terrain, std::make_shared<const HeightMap>(std::move(loaded->map)),
-                           std::move(loaded->notes)};
+                           std::move(loaded->notes), std::move(loaded->georeference)};
   return terrain_->map;
 }
 
@@ -249,7 +255,7 @@ Result<Rendered> Engine::render(const Scene& scene) {
   }
   if (on_cpu) image->attributes["gnomon:renderer"] = "double-precision oracle";
   image->attributes["gnomon:terrain_hash"] = technique::hash_floats((*map)->samples);
-  return Rendered{std::move(image).value(), std::move(points).value(), *map, terrain_->notes};
+  return Rendered{std::move(image).value(), std::move(points).value(), *map, terrain_->notes, terrain_->georeference};
 }
 
 Result<image::Image> Engine::reference(const Scene& scene, const technique::Ground& ground,

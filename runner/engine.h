@@ -18,6 +18,7 @@
 #include "technique/program_cache.h"
 #include "technique/pyramid.h"
 #include "technique/technique.h"
+#include "terrain/georeference.h"
 #include "terrain/height_map.h"
 
 namespace gnomon {
@@ -43,7 +44,8 @@ struct Rendered {
   image::Image image;
   technique::Ground ground;  ///< the points that were asked
   std::shared_ptr<const terrain::HeightMap> map;
-  std::vector<std::string> notes;  ///< what a user should know, such as an assumed spacing
+  std::vector<std::string> notes;  ///< what a user should know, such as where the spacing is from
+  std::optional<terrain::Georeference> georeference{};  ///< of the map
 };
 
 class Engine {
@@ -81,6 +83,7 @@ class Engine {
     scene::Terrain source;
     std::shared_ptr<const terrain::HeightMap> map;
     std::vector<std::string> notes;
+    std::optional<terrain::Georeference> georeference;
   };
   /// The levels that have been asked for, of one map.
   struct BuiltPyramids {

@@ -129,12 +129,13 @@ TEST_F(Mistakes, InTheTerrain) {
   EXPECT_EQ(
       terrain(R"({"procedural": "cone", "spacing": 0})"),
       "s.json:2:46: error: /terrain/spacing: expected a number above 0 (m), got 0. Distance between samples: "
-      "one number, or [west to east, north to south].");
+      "one number, or [west to east, north to south]. A file with a georeference needs none.");
   EXPECT_EQ(
       terrain(R"({"procedural": "cone", "spacing": "1"})"),
       "s.json:2:46: error: /terrain/spacing: expected a number above 0, or a list of exactly 2, each a "
       "number "
-      "above 0 (m), got \"1\". Distance between samples: one number, or [west to east, north to south].");
+      "above 0 (m), got \"1\". Distance between samples: one number, or [west to east, north to south]. A "
+      "file with a georeference needs none.");
   EXPECT_EQ(terrain(R"({"procedural": "cone", "seed": 4294967296})"),
             "s.json:2:43: error: /terrain/seed: expected an integer from 0 to 4294967295, got 4294967296. "
             "Seed of the "

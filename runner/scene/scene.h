@@ -11,12 +11,16 @@
 #include <variant>
 #include <vector>
 
+#include "terrain/raw_layout.h"
+
 namespace gnomon::scene {
 
 struct FileTerrain {
   /// Ready to open: absolute or relative to the working directory; inside the scene's root.
   std::string path;
-  std::optional<std::string> channel;
+  std::optional<std::string> channel{};
+  std::optional<terrain::RawLayout> raw{};  ///< the file is bare numbers that lie so
+  std::optional<double> nodata{};           ///< stored number that means "no data"
   friend bool operator==(const FileTerrain&, const FileTerrain&) = default;
 };
 struct InlineTerrain {
@@ -34,8 +38,8 @@ struct ProceduralTerrain {
 
 struct Terrain {
   std::variant<FileTerrain, InlineTerrain, ProceduralTerrain> source;
-  std::optional<std::array<double, 2>> spacing;  ///< metres per sample (x, y); absent: 1 m
-  double vertical_scale = 1.0;
+  std::optional<std::array<double, 2>> spacing;  ///< metres per sample (x, y); absent: the file's own, or 1 m
+  std::optional<double> vertical_scale;          ///< metres per stored unit; absent: the file's own, or 1
   friend bool operator==(const Terrain&, const Terrain&) = default;
 };
 
