@@ -63,7 +63,8 @@ class Engine {
   [[nodiscard]] Result<image::Image> reference(const scene::Scene& scene, const technique::Ground& ground,
                                                std::optional<int> level = {});
 
-  /// The relief under the scene's camera as a person would look at it, with the shadows of `image`.
+  /// The relief under the scene's camera as a person would look at it, with the shadows of `image` and its
+  /// holes.
   [[nodiscard]] static image::Picture picture(const Rendered& rendered, const scene::Scene& scene,
                                               const image::Image& image);
 
@@ -92,6 +93,9 @@ class Engine {
   };
   using Map = std::shared_ptr<const terrain::HeightMap>;
 
+  /// The points that the scene's camera asks for, whether or not there is a surface.
+  [[nodiscard]] Result<technique::Ground> points_of(const scene::Scene& scene, const Map& map, bool on_cpu,
+                                                    glm::dvec2 offset);
   /// The points that the scene's camera sees, its rays `offset` pixels beside the pixels' centres.
   [[nodiscard]] Result<technique::Ground> ground(const scene::Scene& scene, const Map& map, bool on_cpu,
                                                  glm::dvec2 offset = {});

@@ -2,6 +2,7 @@
 // A georeferenced result lies over its input: asked of the program, read back by GDAL alone.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -178,6 +179,27 @@ TEST_F(Overlay, WithoutGeoreferenceTheResultHasNone) {
   const Reread output = reread(path("o.tif"));
   EXPECT_FALSE(output.has_transform);
   EXPECT_EQ(output.nodata, -9999);
+}
+
+TEST_F(Overlay, HolesAreNodataInTheResultAndCastNothing) {
+  TestFile file = post("EPSG:32611", {380000.1, 10, 0, 3800000.3, 0, -20});
+  file.nodata = -32768;
+  const auto at = [](int column, int row) { return static_cast<std::size_t>(row * kWidth + column); };
+  for (int column = 20; column < 25; ++column) file.values[at(column, kHillRow)] = -32768;
+  write_test_file(path("a.tif"), file);
+  for (const std::string method : {"multilevel", "reference"}) {
+    ASSERT_EQ(render("a.tif -o o.tif --sun 90,20 --method " + method).code, 0);
+    const Reread output = reread(path("o.tif"));
+    for (int column = 20; column < 25; ++column) EXPECT_EQ(output.values[at(column, kHillRow)], -9999);
+    EXPECT_EQ(std::count(output.values.begin(), output.values.end(), -9999), 5);
+    EXPECT_EQ(output.values[at(19, kHillRow)], 1) << "the shadow goes on beyond the hole";
+    EXPECT_EQ(output.values[at(10, kHillRow)], 0);
+  }
+  // The post itself declared to be no data: no shadow at all.
+  ASSERT_EQ(render("a.tif -o o.tif --sun 90,20 --nodata 120").code, 0);
+  const Reread output = reread(path("o.tif"));
+  EXPECT_EQ(output.values[at(kHillColumn, kHillRow)], -9999);
+  EXPECT_EQ(std::count(output.values.begin(), output.values.end(), 1), 0);
 }
 
 TEST_F(Overlay, TheWordsOfRaw) {

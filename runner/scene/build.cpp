@@ -46,6 +46,10 @@ InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& 
                        std::to_string(terrain.width) + "; expected rows of equal length");
     }
     for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!row[j].is_number()) {
+        terrain.heights.push_back(InlineTerrain::kNull);
+        continue;
+      }
       terrain.heights.push_back(row[j].number());
       if (std::abs(row[j].number() * vertical_scale) <= terrain::kHighestHeight) continue;
       report.error(row[j].place, child(child(pointer, i), j),
@@ -245,7 +249,8 @@ std::string canonical_json(const Scene& scene, const std::string& file_below_roo
                                  {"skip", {static_cast<std::int64_t>(file->raw->skip)}}}));
   } else if (const auto* heights = std::get_if<InlineTerrain>(&scene.terrain.source)) {
     json::Array values;
-    for (const double height : heights->heights) values.push_back({height});
+    for (const double height : heights->heights)
+      values.push_back(height == InlineTerrain::kNull ? Value{nullptr} : Value{height});
     terrain = object({{"size", size(heights->width, heights->height)}, {"heights", {std::move(values)}}});
   } else {
     const auto& procedural = std::get<ProceduralTerrain>(scene.terrain.source);

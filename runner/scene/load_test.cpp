@@ -166,12 +166,15 @@ TEST_F(Mistakes, InWrittenHeights) {
   EXPECT_EQ(heights("[]"),
             "s.json:2:24: error: /terrain/heights: expected a list of 1 to 16384, each a list of 1 to 16384, "
             "each a "
-            "number (stored units), got []. Heights written out: rows of equal length, the north row first.");
+            "number or null (stored units), got []. Heights written out: rows of equal length, the north row "
+            "first.");
   EXPECT_EQ(
       heights("[[1], []]"),
-      "s.json:2:30: error: /terrain/heights/1: expected a list of 1 to 16384, each a number, got []. One row "
-      "from west to east.");
-  EXPECT_EQ(heights("[[1, null]]"), "s.json:2:29: error: /terrain/heights/0/1: expected a number, got null");
+      "s.json:2:30: error: /terrain/heights/1: expected a list of 1 to 16384, each a number or null, got []. "
+      "One row from west to east; null where there is no data.");
+  EXPECT_EQ(heights("[[1, null]]"), "");
+  EXPECT_EQ(heights("[[1, true]]"),
+            "s.json:2:29: error: /terrain/heights/0/1: expected a number or null, got true");
   EXPECT_EQ(
       heights("[[1, 1e39]]"),
       "s.json:2:29: error: /terrain/heights/0/1: the height is too large for single precision; expected "

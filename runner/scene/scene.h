@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -25,7 +26,11 @@ struct FileTerrain {
 };
 struct InlineTerrain {
   int width = 0, height = 0;
-  std::vector<double> heights;  ///< row-major, north row first, stored units (times vertical_scale: metres)
+  /// What a height is that is null in the scene: there is no data. (Not NaN, so that equal maps compare
+  /// equal.)
+  static constexpr double kNull = -std::numeric_limits<double>::infinity();
+  std::vector<double>
+      heights;  ///< row-major, north row first, stored units (times vertical_scale: metres) or kNull
   friend bool operator==(const InlineTerrain&, const InlineTerrain&) = default;
 };
 struct ProceduralTerrain {

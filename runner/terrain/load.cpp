@@ -168,11 +168,7 @@ Result<LoadedHeightMap> load_any(const std::string& path, const LoadOptions& opt
 
 Result<LoadedHeightMap> load_height_map(const std::string& path, const LoadOptions& options) {
   if (auto problem = check_file(path)) return *std::move(problem);
-  Result<LoadedHeightMap> loaded = load_any(path, options);
-  if (loaded && loaded->map.holes)
-    return unreadable(
-        path, "the map has samples without data, which this version does not support; fill the holes first");
-  return loaded;
+  return load_any(path, options);
 }
 
 std::optional<std::array<int, 2>> height_map_size(const std::string& path, const LoadOptions& options) {

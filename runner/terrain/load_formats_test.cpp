@@ -1,85 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The formats that go through GDAL, bare numbers, and what damaged or lying files do.
+// The formats that go through GDAL, and bare numbers.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <iterator>
-#include <numeric>
-#include <set>
 
-#include "terrain/load.h"
-#include "terrain/test_files.h"
+#include "terrain/load_fixture.h"
 
 namespace gnomon::terrain {
 namespace {
 
-namespace fs = std::filesystem;
-using test::TestFile;
-
-constexpr int kWidth = 5;
-constexpr int kHeight = 4;
-
-class LoadFormatsTest : public testing::Test {
- protected:
-  LoadFormatsTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~LoadFormatsTest() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::string write(const std::string& name, const TestFile& file) const {
-    test::write_test_file(path(name), file);
-    return path(name);
-  }
-  std::string write_text(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-  [[nodiscard]] std::set<std::string> files() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename().string());
-    return names;
-  }
-
- private:
-  fs::path folder_ = fs::path(testing::TempDir()) /
-                     (std::string("gnomon-") + testing::UnitTest::GetInstance()->current_test_info()->name());
-};
-
-/// 10, 11, 12 ... row by row.
-TestFile counting(int width = kWidth, int height = kHeight) {
-  TestFile file{.width = width, .height = height};
-  file.values.resize(static_cast<std::size_t>(width * height));
-  std::iota(file.values.begin(), file.values.end(), 10);
-  return file;
-}
-
-TestFile utm() {
-  TestFile file = counting();
-  file.crs = "EPSG:32611";
-  file.transform = {{380000, 30, 0, 3800000, 0, -20}};
-  return file;
-}
-
-std::string refusal(const Result<LoadedHeightMap>& loaded) {
-  if (loaded.ok()) return "nothing was refused";
-  EXPECT_EQ(loaded.diagnostics()[0].failure, Failure::kInvalid);
-  EXPECT_EQ(loaded.diagnostics().size(), 1u);
-  return loaded.diagnostics()[0].message;
-}
-
-std::string notes(const LoadedHeightMap& loaded) {
-  return std::accumulate(loaded.notes.begin(), loaded.notes.end(), std::string(),
-                         [](const std::string& all, const std::string& one) { return all + one + "\n"; });
-}
-
-#define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
-#define ASSERT_LOADS(loaded) ASSERT_TRUE((loaded).ok()) << to_string((loaded).diagnostics()[0])
+using LoadFormatsTest = LoadFiles;
 
 TEST_F(LoadFormatsTest, ProjectedGeoTiff) {
   const auto loaded = load_height_map(write("a.tif", utm()), {});
@@ -291,6 +222,65 @@ TEST_F(LoadFormatsTest, InfiniteHeightsAreErrorsWithTheirPlace) {
   EXPECT_SAYS(refusal(load_height_map(path("a.tif"), {})), "is infinite");
 }
 
+/// The samples that are holes, by their place in the list.
+std::vector<int> holes(const LoadedHeightMap& loaded) {
+  std::vector<int> places;
+  for (std::size_t i = 0; i < loaded.map.samples.size(); ++i)
+    if (loaded.map.samples[i] == kNoSample) places.push_back(static_cast<int>(i));
+  EXPECT_EQ(loaded.map.holes, !places.empty());
+  return places;
+}
+
+TEST_F(LoadFormatsTest, NodataOfTheFileAndOfTheCallerAndNaNAreHoles) {
+  TestFile file = utm();
+  file.nodata = -9999;
+  file.values[3] = -9999;
+  file.values[8] = NAN;
+  file.values[12] = 77.7;
+  write("a.tif", file);
+  EXPECT_EQ(holes(*load_height_map(path("a.tif"), {})), (std::vector<int>{3, 8}));
+  // Meant in the precision that the file has: 77.7 is no float32.
+  EXPECT_EQ(holes(*load_height_map(path("a.tif"), {.nodata = 77.7})), (std::vector<int>{3, 8, 12}));
+  EXPECT_EQ(holes(*load_height_map(path("a.tif"), {.vertical_scale = -2.0, .nodata = 10})),
+            (std::vector<int>{0, 3, 8}));
+  // Rows of a file from the south take their holes with them.
+  file.transform = {{380000, 30, 0, 3800000, 0, 20}};
+  EXPECT_EQ(holes(*load_height_map(write("s.tif", file), {})),
+            (std::vector<int>{kWidth * (kHeight - 2) + 3, kWidth * (kHeight - 1) + 3}));
+}
+
+TEST_F(LoadFormatsTest, ScaleAndOffsetDoNotTouchNodata) {
+  TestFile file = utm();
+  file.type = "Int16";
+  file.scale = 0.5;
+  file.offset = 1000;
+  file.nodata = 13;
+  EXPECT_EQ(holes(*load_height_map(write("a.tif", file), {})), (std::vector<int>{3}));
+}
+
+TEST_F(LoadFormatsTest, AMaskInTheFileLeavesHoles) {
+  TestFile file = utm();
+  file.mask.assign(file.values.size(), true);
+  file.mask[6] = false;
+  EXPECT_EQ(holes(*load_height_map(write("a.tif", file), {})), (std::vector<int>{6}));
+}
+
+TEST_F(LoadFormatsTest, HolesOfTheOtherFormats) {
+  const std::string grid = write_text("a.asc",
+                                      "ncols 3\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n"
+                                      "NODATA_value -9999\n5 -9999 nan\n");
+  EXPECT_EQ(holes(*load_height_map(grid, {})), (std::vector<int>{1, 2}));
+  write_text("a.raw", std::string("\x01\x02\x03", 3));
+  EXPECT_EQ(holes(*load_height_map(path("a.raw"), {.raw = RawLayout{3, 1, RawType::kUint8}, .nodata = 2})),
+            (std::vector<int>{1}));
+  TestFile tile{.width = 1201, .height = 1201, .driver = "SRTMHGT", .type = "Int16"};
+  tile.values.assign(1201 * 1201, 500);
+  tile.values[17] = -32768;
+  tile.transform = {{9 - 0.5 / 1200, 1.0 / 1200, 0, 47 + 0.5 / 1200, 0, -1.0 / 1200}};
+  tile.crs = "EPSG:4326";
+  EXPECT_EQ(holes(*load_height_map(write("N46E009.hgt", tile), {})), (std::vector<int>{17}));
+}
+
 TEST_F(LoadFormatsTest, TheLimitIsNamedBeforeTheHeightsAreRead) {
   EXPECT_SAYS(refusal(load_height_map(write("a.tif", counting(401, 2)), {.max_size = 400})),
               "401 x 2 samples; the limit is 400");
@@ -324,92 +314,6 @@ TEST_F(LoadFormatsTest, OtherFormatsOfGdalAndItsAddressesAreNotTaken) {
     EXPECT_SAYS(refusal(load_height_map(name + path("a.tif"), {})), "no such file");
   EXPECT_SAYS(refusal(load_height_map(write_text("a.txt", "these are no heights"), {})), "--raw");
   EXPECT_SAYS(refusal(load_height_map(write_text("empty.tif", ""), {})), "no height map");
-}
-
-/// Every beginning of a file, and it with bytes changed: an error or heights, never a crash, and nothing is
-/// printed. `must_fail`: a file that lacks its end is an error.
-void torture(const std::string& file, const std::string& hurt, const LoadOptions& options) {
-  std::ifstream stream(file, std::ios::binary);
-  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
-  const auto load = [&](const std::string& bytes) {
-    std::ofstream(hurt, std::ios::binary) << bytes;
-    return load_height_map(hurt, options);
-  };
-  ASSERT_TRUE(load(whole).ok());
-  testing::internal::CaptureStderr();
-  testing::internal::CaptureStdout();
-  const std::size_t step = std::max<std::size_t>(whole.size() / 300, 1);
-  for (std::size_t length = 0; length < whole.size(); length += step) {
-    const auto loaded = load(whole.substr(0, length));
-    EXPECT_TRUE(loaded.ok() || !loaded.diagnostics()[0].message.empty());
-  }
-  unsigned state = 1;
-  for (int round = 0; round < 300; ++round) {
-    std::string bytes = whole;
-    for (int k = 0; k < 4; ++k) {
-      state = state * 1664525u + 1013904223u;
-      bytes[(state >> 8) % bytes.size()] = static_cast<char>(state >> 24);
-    }
-    const auto loaded = load(bytes);
-    EXPECT_TRUE(!loaded.ok() || loaded->map.samples.size() ==
-                                    std::size_t(loaded->map.width) * std::size_t(loaded->map.height));
-  }
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
-TEST_F(LoadFormatsTest, DamagedGeoTiffs) {
-  TestFile file = utm();
-  torture(write("a.tif", file), path("hurt.tif"), {});
-  file.options = {"COMPRESS=DEFLATE", "TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16"};
-  torture(write("b.tif", file), path("hurt.tif"), {});
-}
-
-TEST_F(LoadFormatsTest, DamagedAsciiGrids) {
-  TestFile file = utm();
-  file.driver = "AAIGrid";
-  file.transform = {{380000, 30, 0, 3800000, 0, -30}};
-  torture(write("a.asc", file), path("hurt.asc"), {});
-}
-
-TEST_F(LoadFormatsTest, DamagedUsgsDems) {
-  TestFile file = utm();
-  file.driver = "USGSDEM";
-  file.type = "Int16";
-  file.crs = "EPSG:26711";
-  file.transform = {{379995, 30, 0, 3800025, 0, -30}};
-  torture(write("a.dem", file), path("hurt.dem"), {});
-}
-
-TEST_F(LoadFormatsTest, WhatLacksItsEndIsAnError) {
-  TestFile file = utm();
-  const auto cut = [&](const std::string& name, std::size_t bytes) {
-    fs::resize_file(path(name), fs::file_size(path(name)) - bytes);
-    return refusal(load_height_map(path(name), {}));
-  };
-  // The plain TIFF ends with its numbers, the tiled one too.
-  write("a.tif", file);
-  EXPECT_SAYS(cut("a.tif", 4), "damaged or incomplete");
-  file.options = {"TILED=YES", "BLOCKXSIZE=16", "BLOCKYSIZE=16"};
-  write("b.tif", file);
-  EXPECT_SAYS(cut("b.tif", 40), "damaged or incomplete");
-  file.driver = "AAIGrid";
-  file.options.clear();
-  file.transform = {{380000, 30, 0, 3800000, 0, -30}};
-  write("a.asc", file);
-  EXPECT_SAYS(cut("a.asc", 8), "damaged or incomplete");
-}
-
-TEST_F(LoadFormatsTest, LyingAsciiGrids) {
-  const auto load = [&](const std::string& size, const std::string& heights) {
-    return refusal(
-        load_height_map(write_text("a.asc", size + "xllcorner 0\nyllcorner 0\ncellsize 10\n" + heights), {}));
-  };
-  EXPECT_SAYS(load("ncols 2\nnrows 2\n", "1 2\n3 x\n"), "damaged");
-  EXPECT_SAYS(load("ncols 2\nnrows 2\n", "1 2\n3 4\n5 6\n"), "damaged");
-  EXPECT_SAYS(load("ncols 3\nnrows 2\n", "1 2\n3 4\n"), "damaged");
-  EXPECT_SAYS(load("ncols 16384\nnrows 16384\n", "1 2\n3 4\n"), "damaged");
-  EXPECT_SAYS(load("ncols 100000\nnrows 2\n", "1 2\n3 4\n"), "limit");
 }
 
 }  // namespace
