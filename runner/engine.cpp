@@ -2,6 +2,7 @@
 #include "engine.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "image/hillshade.h"
@@ -38,13 +39,19 @@ std::array<double, 2> spacing_of(const scene::Terrain& terrain) {
   return terrain.spacing.value_or(std::array{1.0, 1.0});
 }
 
+double scale_of(const scene::Terrain& terrain) {
+  return terrain.vertical_scale.value_or(1.0);
+}
+
 struct MakeTerrain {
   const scene::Terrain& terrain;
 
   Result<LoadedHeightMap> operator()(const scene::FileTerrain& file) const {
-    return terrain::load_height_map(
-        file.path,
-        {.spacing = terrain.spacing, .vertical_scale = terrain.vertical_scale, .channel = file.channel});
+    return terrain::load_height_map(file.path, {.spacing = terrain.spacing,
+                                                .vertical_scale = terrain.vertical_scale,
+                                                .channel = file.channel,
+                                                .raw = file.raw,
+                                                .nodata = file.nodata});
   }
 
   Result<LoadedHeightMap> operator()(const scene::InlineTerrain& table) const {
@@ -55,8 +62,12 @@ struct MakeTerrain {
                   .spacing_y = y,
                   .domain_width = double(table.width),
                   .domain_height = double(table.height)};
-    std::transform(table.heights.begin(), table.heights.end(), std::back_inserter(map.samples),
-                   [&](double stored) { return static_cast<float>(stored * terrain.vertical_scale); });
+    std::transform(
+        table.heights.begin(), table.heights.end(), std::back_inserter(map.samples), [&](double stored) {
+          return stored == scene::InlineTerrain::kNull ? terrain::kNoSample
+                                                       : static_cast<float>(stored * scale_of(terrain));
+        });
+    map.holes = std::count(table.heights.begin(), table.heights.end(), scene::InlineTerrain::kNull) > 0;
     return LoadedHeightMap{std::move(map), {}};
   }
 
@@ -68,7 +79,7 @@ struct MakeTerrain {
                                                       .seed = made.seed,
                                                       .spacing_x = x,
                                                       .spacing_y = y,
-                                                      .vertical_scale = terrain.vertical_scale,
+                                                      .vertical_scale = scale_of(terrain),
                                                       .parameters = made.parameters});
     if (!map) return map.diagnostics();
     return LoadedHeightMap{std::move(map).value(), {}};
@@ -115,7 +126,7 @@ Result<std::shared_ptr<const HeightMap>> Engine::terrain(const Scene& scene) {
   if (!loaded) return in_scene(loaded.diagnostics(), scene);
   if (Diagnostics wrong = check_spacing(loaded->map, scene); !wrong.empty()) return wrong;
   terrain_ = LoadedTerrain{scene.terrain, std::make_shared<const HeightMap>(std::move(loaded->map)),
-                           std::move(loaded->notes)};
+                           std::move(loaded->notes), std::move(loaded->georeference)};
   return terrain_->map;
 }
 
@@ -158,6 +169,13 @@ Result<const technique::Pyramid*> Engine::pyramid(const Map& map, int q, techniq
 }
 
 Result<technique::Ground> Engine::ground(const Scene& scene, const Map& map, bool on_cpu, glm::dvec2 offset) {
+  Result<technique::Ground> seen = points_of(scene, map, on_cpu, offset);
+  if (seen) technique::leave_out_holes(*seen, *map);
+  return seen;
+}
+
+Result<technique::Ground> Engine::points_of(const Scene& scene, const Map& map, bool on_cpu,
+                                            glm::dvec2 offset) {
   if (const auto* camera = std::get_if<scene::MapCamera>(&scene.camera))
     return technique::map_ground(*camera, scene.shadow, *map);
   if (const auto* points = std::get_if<scene::PointsCamera>(&scene.camera)) {
@@ -249,7 +267,8 @@ Result<Rendered> Engine::render(const Scene& scene) {
   }
   if (on_cpu) image->attributes["gnomon:renderer"] = "double-precision oracle";
   image->attributes["gnomon:terrain_hash"] = technique::hash_floats((*map)->samples);
-  return Rendered{std::move(image).value(), std::move(points).value(), *map, terrain_->notes};
+  return Rendered{std::move(image).value(), std::move(points).value(), *map, terrain_->notes,
+                  terrain_->georeference};
 }
 
 Result<image::Image> Engine::reference(const Scene& scene, const technique::Ground& ground,
@@ -263,7 +282,11 @@ image::Picture Engine::picture(const Rendered& rendered, const Scene& scene, con
   if (image.channel("R")) return technique::lit_picture(image);
   const HeightMap& map = *rendered.map;
   const technique::Ground& ground = rendered.ground;
-  return image::hillshade(heights_under(map, ground), ground.size.x, ground.size.y,
+  std::vector<float> heights = heights_under(map, ground);
+  const std::vector<float>* valid = image.channel("valid");
+  for (std::size_t i = 0; valid && i < heights.size(); ++i)
+    if ((*valid)[i] == 0) heights[i] = std::numeric_limits<float>::quiet_NaN();
+  return image::hillshade(heights, ground.size.x, ground.size.y,
                           map.spacing_x * double{ground.texels_per_pixel.x},
                           map.spacing_y * double{ground.texels_per_pixel.y}, image.channels.at("k_shadow"),
                           scene.sun.azimuth, scene.sun.elevation);

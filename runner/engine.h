@@ -18,6 +18,7 @@
 #include "technique/program_cache.h"
 #include "technique/pyramid.h"
 #include "technique/technique.h"
+#include "terrain/georeference.h"
 #include "terrain/height_map.h"
 
 namespace gnomon {
@@ -43,7 +44,8 @@ struct Rendered {
   image::Image image;
   technique::Ground ground;  ///< the points that were asked
   std::shared_ptr<const terrain::HeightMap> map;
-  std::vector<std::string> notes;  ///< what a user should know, such as an assumed spacing
+  std::vector<std::string> notes;  ///< what a user should know, such as where the spacing is from
+  std::optional<terrain::Georeference> georeference{};  ///< of the map
 };
 
 class Engine {
@@ -61,7 +63,8 @@ class Engine {
   [[nodiscard]] Result<image::Image> reference(const scene::Scene& scene, const technique::Ground& ground,
                                                std::optional<int> level = {});
 
-  /// The relief under the scene's camera as a person would look at it, with the shadows of `image`.
+  /// The relief under the scene's camera as a person would look at it, with the shadows of `image` and its
+  /// holes.
   [[nodiscard]] static image::Picture picture(const Rendered& rendered, const scene::Scene& scene,
                                               const image::Image& image);
 
@@ -81,6 +84,7 @@ class Engine {
     scene::Terrain source;
     std::shared_ptr<const terrain::HeightMap> map;
     std::vector<std::string> notes;
+    std::optional<terrain::Georeference> georeference;
   };
   /// The levels that have been asked for, of one map.
   struct BuiltPyramids {
@@ -89,6 +93,9 @@ class Engine {
   };
   using Map = std::shared_ptr<const terrain::HeightMap>;
 
+  /// The points that the scene's camera asks for, whether or not there is a surface.
+  [[nodiscard]] Result<technique::Ground> points_of(const scene::Scene& scene, const Map& map, bool on_cpu,
+                                                    glm::dvec2 offset);
   /// The points that the scene's camera sees, its rays `offset` pixels beside the pixels' centres.
   [[nodiscard]] Result<technique::Ground> ground(const scene::Scene& scene, const Map& map, bool on_cpu,
                                                  glm::dvec2 offset = {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <sstream>
 
 #include "gnomon/compiler/compiler.h"
@@ -135,6 +136,41 @@ void check_method(const std::string& name) {
   }
 }
 
+/// WxH,TYPE[,little|big][,skip=BYTES], the last two in any order.
+terrain::RawLayout raw_layout_of(const std::string& text) {
+  const std::string shape = "WxH,TYPE[,little|big][,skip=BYTES]";
+  const auto refuse = [&](const std::string& why) {
+    throw CLI::ValidationError("--raw", "'" + text + "' is not " + shape + ": " + why);
+  };
+  std::istringstream stream(text + ',');  // a comma at the end is an empty part too
+  std::vector<std::string> parts;
+  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
+  const std::size_t times = parts.empty() ? std::string::npos : parts[0].find('x');
+  if (times == std::string::npos || parts.size() < 2)
+    refuse("the size and the type are needed, as in 1201x1201,int16");
+  terrain::RawLayout layout{.width = number_of<int>(parts[0].substr(0, times), "--raw", shape),
+                            .height = number_of<int>(parts[0].substr(times + 1), "--raw", shape)};
+  if (std::min(layout.width, layout.height) < 1 || std::max(layout.width, layout.height) > 16384)
+    refuse("each side has to be 1 to 16384");
+  const std::optional<terrain::RawType> type = terrain::raw_type(parts[1]);
+  std::string known;
+  for (const auto& [name, value] : terrain::kRawTypes)
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  if (!type) refuse("the type is one of " + known);
+  layout.type = *type;
+  for (std::size_t i = 2; i < parts.size(); ++i) {
+    const bool is_skip = parts[i].starts_with("skip=") && parts[i].find('-') == std::string::npos;
+    if (is_skip) {
+      layout.skip = number_of<std::uint64_t>(parts[i].substr(5), "--raw", shape);
+    } else if (parts[i] == "little" || parts[i] == "big") {
+      layout.big_endian = parts[i] == "big";
+    } else {
+      refuse("'" + parts[i] + "' is neither little, big nor skip=BYTES");
+    }
+  }
+  return layout;
+}
+
 void add_map_options(CLI::App* app, RenderArguments& a) {
   add_pair<double>(app, "--sun", a.sun, ',', false, "AZIMUTH,ELEVATION",
                    "degrees clockwise from grid north, degrees above the horizon. Default 315,45");
@@ -165,18 +201,30 @@ void add_map_options(CLI::App* app, RenderArguments& a) {
       "metres above the surface of the level. Default 0");
   add_pair<int>(app, "--size", a.size, 'x', false, "WxH", "pixels. Default: one a height sample");
   add_pair<double>(app, "--spacing", a.spacing, ',', true, "X[,Y]",
-                   "metres between height samples. Default 1");
+                   "metres between height samples. Default: by the file's georeference, else 1");
   add_number(
       app, "--vertical-scale", "S", -1e9, 1e9, [&a](double v) { a.vertical_scale = v; },
-      "metres per stored unit. Default 1");
+      "metres per stored unit. Default: the file's unit, else 1");
   app->add_option("--channel", a.channel, "channel of an image that has several")->type_name("NAME");
+  app->add_option_function<std::string>(
+         "--raw", [&a](const std::string& text) { a.raw = raw_layout_of(text); },
+         "FILE is bare numbers, the north row first: uint8, int8, uint16, int16, uint32, int32, float32 or "
+         "float64; "
+         "little by default")
+      ->type_name("WxH,TYPE[,little|big][,skip=BYTES]");
+  add_number(
+      app, "--nodata", "V", -std::numeric_limits<double>::max(), std::numeric_limits<double>::max(),
+      [&a](double v) { a.nodata = v; },
+      "stored number that means \"no data here\", beside the file's own and NaN");
 }
 
 void add_render(CLI::App& root, RenderArguments& a) {
   CLI::App* app = root.add_subcommand("render", "Render the shadow of a scene or of a height map");
   auto* scene = app->add_option("SCENE", a.scene, "scene file (JSON)");
   auto* heightmap =
-      app->add_option("--heightmap", a.heightmap, "image of heights: PNG, EXR or TIFF")->type_name("FILE");
+      app->add_option("--heightmap", a.heightmap,
+                      "heights: PNG, EXR, TIFF, .hgt, ESRI ASCII grid, USGS DEM, or bare numbers with --raw")
+          ->type_name("FILE");
   scene->excludes(heightmap);
   add_map_options(app, a);
   add_overrides(app, a.overrides);
@@ -262,7 +310,7 @@ void check_render(const RenderArguments& a) {
   if (a.scene.empty() == a.heightmap.empty())
     throw CLI::ValidationError("render", "needs a SCENE.json or --heightmap FILE");
   const bool map_option = a.sun || a.time || a.at || a.method || a.q || a.receiver_height || a.size ||
-                          a.spacing || a.vertical_scale || a.channel;
+                          a.spacing || a.vertical_scale || a.channel || a.raw || a.nodata;
   if (!a.scene.empty() && map_option) {
     throw CLI::ValidationError("render",
                                "--sun, --method, --q and the like go with --heightmap; a scene takes --set, "

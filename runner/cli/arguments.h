@@ -28,6 +28,8 @@ struct RenderArguments {
   std::optional<std::array<double, 2>> spacing;  ///< metres
   std::optional<double> vertical_scale;          ///< metres per stored unit
   std::optional<std::string> channel;
+  std::optional<terrain::RawLayout> raw;
+  std::optional<double> nodata;        ///< stored number
   std::vector<std::string> overrides;  ///< KEY=VALUE
   Backend backend = Backend::kAuto;
   std::string device;  ///< empty: any

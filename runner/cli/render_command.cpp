@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "scene/project.h"
 #include "scene/sun_at_time.h"
+#include "terrain/geotiff.h"
 
 namespace gnomon::cli {
 namespace {
@@ -46,9 +47,10 @@ Result<scene::Scene> scene_of_height_map(const RenderArguments& a) {
   scene::Scene scene;
   scene.id = fs::path(a.heightmap).stem().string();
   scene.file = a.heightmap;
-  scene.terrain.source = scene::FileTerrain{.path = a.heightmap, .channel = a.channel};
+  scene.terrain.source =
+      scene::FileTerrain{.path = a.heightmap, .channel = a.channel, .raw = a.raw, .nodata = a.nodata};
   scene.terrain.spacing = a.spacing;
-  scene.terrain.vertical_scale = a.vertical_scale.value_or(1.0);
+  scene.terrain.vertical_scale = a.vertical_scale;
   if (a.spacing && std::min((*a.spacing)[0], (*a.spacing)[1]) <= 0) {
     return Diagnostic{.file = "--spacing", .message = "has to be above 0 metres"};
   }
@@ -101,13 +103,29 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
+/// How far a soft method covers the sun, else the shadow; nodata without a surface. What the map camera sees
+/// lies over the map.
+Result<Done> write_tiff(const std::string& path, const Rendered& rendered, const scene::Scene& scene) {
+  const image::Image& image = rendered.image;
+  const std::vector<float>* occlusion = image.channel("occlusion");
+  std::vector<float> values = occlusion ? *occlusion : image.channels.at("b_shadow");
+  const std::vector<float>& valid = image.channels.at("valid");
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (valid[i] == 0) values[i] = terrain::kTiffNodata;
+  std::optional<terrain::Georeference> georeference;
+  if (rendered.georeference && std::get_if<scene::MapCamera>(&scene.camera))
+    georeference = terrain::resized(*rendered.georeference, rendered.map->width, rendered.map->height,
+                                    image.width, image.height);
+  return terrain::write_geotiff(path, image.width, image.height, values, georeference);
+}
+
 Result<Done> write(const std::string& path, const Rendered& rendered, const scene::Scene& scene) {
   const std::string extension = extension_of(path);
   if (extension == ".exr") return image::write_exr(path, rendered.image);
   if (extension == ".png") {
     return image::write_png(path, Engine::picture(rendered, scene, rendered.image));
   }
-  return image::write_tiff(path, rendered.image, "b_shadow");
+  return write_tiff(path, rendered, scene);
 }
 
 /// Whether two names lead to one file, links followed.

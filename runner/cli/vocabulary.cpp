@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/commands.h"
-#include "image/stored_image.h"
 #include "technique/technique.h"
+#include "terrain/load.h"
 #include "terrain/procedural.h"
 
 namespace gnomon::cli {
@@ -15,10 +15,8 @@ scene::Vocabulary vocabulary() {
     for (const terrain::ProceduralParameter& parameter : kind.parameters) names.push_back(parameter.name);
   }
   words.file_size = [](const scene::FileTerrain& file) -> std::optional<std::array<int, 2>> {
-    const auto image =
-        image::read_stored(file.path, {.one_channel = true, .channel = file.channel, .header_only = true});
-    if (!image) return std::nullopt;  // said with its reason when the map is loaded
-    return std::array{image->width, image->height};
+    // Where it cannot be read, that is said with its reason when the map is loaded.
+    return terrain::height_map_size(file.path, {.channel = file.channel, .raw = file.raw});
   };
   words.channels = {"b_shadow", "k_shadow", "q",        "steps", "valid", "horizon", "column",
                     "row",      "depth",    "coverage", "R",     "G",     "B"};

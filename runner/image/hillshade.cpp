@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace gnomon::image {
@@ -61,7 +62,7 @@ struct Slope {
   double north = 0;
 };
 
-/// Central differences, one-sided at the edges.
+/// Central differences, one-sided at the edges and beside a hole; 0 in a hole.
 std::vector<Slope> slopes(const std::vector<float>& heights, int width, int height, double spacing_x,
                           double spacing_y) {
   const auto at = [&](int row, int column) -> double {
@@ -72,8 +73,14 @@ std::vector<Slope> slopes(const std::vector<float>& heights, int width, int heig
   slopes.reserve(heights.size());
   for (int row = 0; row < height; ++row)
     for (int column = 0; column < width; ++column) {
-      const int west = std::max(column - 1, 0), east = std::min(column + 1, width - 1);
-      const int north = std::max(row - 1, 0), south = std::min(row + 1, height - 1);
+      if (std::isnan(at(row, column))) {
+        slopes.push_back({});
+        continue;
+      }
+      const int west = column > 0 && !std::isnan(at(row, column - 1)) ? column - 1 : column;
+      const int east = column + 1 < width && !std::isnan(at(row, column + 1)) ? column + 1 : column;
+      const int north = row > 0 && !std::isnan(at(row - 1, column)) ? row - 1 : row;
+      const int south = row + 1 < height && !std::isnan(at(row + 1, column)) ? row + 1 : row;
       const double run_east = std::max(east - west, 1) * spacing_x;
       const double run_north = std::max(south - north, 1) * spacing_y;
       slopes.push_back(
@@ -96,6 +103,7 @@ Picture hillshade(const std::vector<float>& heights, int width, int height, doub
                   double spacing_y, const std::vector<float>& k_shadow, double sun_azimuth_deg,
                   double sun_elevation_deg) {
   constexpr double kDegree = std::numbers::pi / 180.0;
+  constexpr Colour kNoSurface{0.25, 0.26, 0.28};
   constexpr Colour kShadowTint{0.86, 0.95, 1.15};  // shadows are lit by the blue sky alone
   const double azimuth = sun_azimuth_deg * kDegree;
   const double elevation = std::clamp(sun_elevation_deg, 35.0, 90.0) * kDegree;
@@ -105,19 +113,29 @@ Picture hillshade(const std::vector<float>& heights, int width, int height, doub
 
   const std::vector<Slope> relief = slopes(heights, width, height, spacing_x, spacing_y);
   const double steeper = exaggeration(relief);
-  const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
-  const double range = std::max(static_cast<double>(*highest) - *lowest, 1e-30);
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const float height : heights) {
+    if (std::isnan(height)) continue;
+    lowest = std::min(lowest, double{height});
+    highest = std::max(highest, double{height});
+  }
+  const double range = std::max(highest - lowest, 1e-30);
 
   Picture picture{width, height, {}};
   picture.rgb.reserve(3 * heights.size());
   for (std::size_t i = 0; i < heights.size(); ++i) {
+    if (std::isnan(heights[i])) {
+      put(picture, kNoSurface);
+      continue;
+    }
     const double east = steeper * relief[i].east, north = steeper * relief[i].north;
     const double facing_sun =
         (sun_up - east * sun_east - north * sun_north) / std::sqrt(1 + east * east + north * north);
     const double lit = std::clamp(static_cast<double>(k_shadow[i]), 0.0, 1.0);
     const double light = mix(in_shadow(facing_sun / sun_up), in_sun(facing_sun / sun_up), lit) * encoded(lit);
     const Colour cast = mix(kShadowTint, {1, 1, 1}, lit);
-    Colour colour = tint((heights[i] - *lowest) / range);
+    Colour colour = tint((heights[i] - lowest) / range);
     for (std::size_t c = 0; c < 3; ++c) colour[c] *= light * cast[c];
     put(picture, colour);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace gnomon::image {
@@ -60,6 +61,22 @@ TEST(Hillshade, ShadowsAreClearlyDarkerAndBluer) {
 TEST(Hillshade, MapsOfOneSampleHaveAPicture) {
   EXPECT_EQ(hillshade({5}, 1, 1, 1, 1, {1}, 0, 90).rgb.size(), 3u);
   EXPECT_EQ(hillshade({5, 7}, 1, 2, 1, 1, {1, 0}, 0, -20).rgb.size(), 6u);
+}
+
+TEST(Hillshade, HolesAreGreyAndLeaveTheRestAsItIs) {
+  std::vector<float> heights = hill();
+  const Picture whole = hillshade(heights, kSize, kSize, 1, 1, all(1), 315, 45);
+  heights[static_cast<std::size_t>(3 * kSize + 3)] = std::numeric_limits<float>::quiet_NaN();
+  const Picture pierced = hillshade(heights, kSize, kSize, 1, 1, all(1), 315, 45);
+  for (int row = 0; row < kSize; ++row)
+    for (int column = 0; column < kSize; ++column) {
+      const bool is_hole = row == 3 && column == 3;
+      EXPECT_EQ(brightness(pierced, row, column) == brightness(whole, row, column), !is_hole)
+          << row << ' ' << column;
+    }
+  EXPECT_LT(brightness(pierced, 3, 3), 250);
+  const std::vector<float> nothing(heights.size(), std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(hillshade(nothing, kSize, kSize, 1, 1, all(1), 315, 45).rgb.size(), 3 * heights.size());
 }
 
 }  // namespace

@@ -114,11 +114,4 @@ Result<Done> write_png(const std::string& path, const Picture& picture) {
   return encode_and_write(path, "png", spec, picture.rgb.data());
 }
 
-Result<Done> write_tiff(const std::string& path, const Image& image, const std::string& channel) {
-  if (image.channel(channel) == nullptr)
-    return cannot_write(path, fmt::format("the image has no channel '{}'", channel));
-  if (auto refusal = check_channel(path, image, channel)) return *std::move(refusal);
-  return encode_and_write(path, "tiff", float_spec(image, 1), image.channel(channel)->data());
-}
-
 }  // namespace gnomon::image

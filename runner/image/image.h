@@ -45,8 +45,4 @@ struct Picture {
 };
 [[nodiscard]] Result<Done> write_png(const std::string& path, const Picture& picture);
 
-/// One float channel as a 32-bit TIFF. Atomic like write_exr.
-[[nodiscard]] Result<Done> write_tiff(const std::string& path, const Image& image,
-                                      const std::string& channel);
-
 }  // namespace gnomon::image

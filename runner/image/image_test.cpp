@@ -72,23 +72,12 @@ TEST_F(ImageTest, ExrKeepsEveryChannelToTheBitAndTheAttributes) {
 TEST_F(ImageTest, EqualImagesMakeEqualFilesAtAnyTime) {
   Picture picture{2, 2, std::vector<unsigned char>(12, 77)};
   ASSERT_TRUE(write_exr(path("1.exr"), rendered()).ok());
-  ASSERT_TRUE(write_tiff(path("1.tif"), rendered(), "steps").ok());
   ASSERT_TRUE(write_png(path("1.png"), picture).ok());
   std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // dates in headers count seconds
   ASSERT_TRUE(write_exr(path("2.exr"), rendered()).ok());
-  ASSERT_TRUE(write_tiff(path("2.tif"), rendered(), "steps").ok());
   ASSERT_TRUE(write_png(path("2.png"), picture).ok());
-  for (const std::string extension : {".exr", ".tif", ".png"})
+  for (const std::string extension : {".exr", ".png"})
     EXPECT_EQ(bytes_of(path("1" + extension)), bytes_of(path("2" + extension))) << extension;
-}
-
-TEST_F(ImageTest, TiffHoldsOneChannelAsFloat) {
-  ASSERT_TRUE(write_tiff(path("a.tif"), rendered(), "k_shadow").ok());
-  const auto read = read_image(path("a.tif"));
-  ASSERT_TRUE(read.ok());
-  ASSERT_EQ(read->channels.size(), 1u);
-  EXPECT_EQ(read->channels.begin()->second, rendered().channels.at("k_shadow"));
-  expect_machine_failure(write_tiff(path("b.tif"), rendered(), "occlusion"));
 }
 
 TEST_F(ImageTest, PngHoldsThePictureFromTheTop) {
@@ -110,7 +99,6 @@ TEST_F(ImageTest, ValuesThatAreNotFiniteAreRefusedAndTheOlderFileStays) {
     expect_machine_failure(written);
     EXPECT_NE(written.diagnostics()[0].message.find("'valid'"), std::string::npos);
     EXPECT_NE(written.diagnostics()[0].message.find("(2, 1)"), std::string::npos);
-    expect_machine_failure(write_tiff(path("a.tif"), image, "valid"));
   }
   EXPECT_EQ(bytes_of(path("a.exr")), before);
   EXPECT_EQ(files(), std::vector<std::string>{"a.exr"});

@@ -7,6 +7,11 @@
 namespace gnomon::oracle {
 namespace {
 
+// Whether the track runs along the edges between patches.
+bool runs_on_edge(const Axis& axis) {
+  return axis.rate == 0 && axis.origin == std::floor(axis.origin);
+}
+
 double fraction_of_patch(const Axis& axis, int patch, double distance) {
   return std::clamp(axis.position(distance) - (patch - 1), 0.0, 1.0);
 }
@@ -31,14 +36,19 @@ HorizonSearch::HorizonSearch(const Surface& surface, const Receiver& receiver, G
       column_(x_.first_patch()),
       row_(y_.first_patch()),
       end_(std::min(x_.domain_exit, y_.domain_exit)),
-      datum_(Patch(surface, column_, row_, 0.0).north_west),
-      eye_(Patch(surface, column_, row_, datum_)
-               .height(fraction_of_patch(x_, column_, 0), fraction_of_patch(y_, row_, 0)) +
-           receiver.height),
       rise_(-receiver.height),
-      on_ground_(receiver.height == 0) {}
+      on_ground_(receiver.height == 0) {
+  const std::optional<PatchIndex> ground = ground_patch(surface, x_.origin, y_.origin);
+  has_ground_ = ground.has_value();
+  if (!ground) return;
+  datum_ = Patch(surface, ground->column, ground->row, 0.0).north_west;
+  eye_ = Patch(surface, ground->column, ground->row, datum_)
+             .height(fraction_of_patch(x_, ground->column, 0), fraction_of_patch(y_, ground->row, 0)) +
+         receiver.height;
+}
 
 double HorizonSearch::run() {
+  if (!has_ground_) return best_;
   if (end_ > 0 && rise_ > 0) return std::numeric_limits<double>::infinity();  // under the ground
   while (distance_ < end_) {
     if (!blocks_ || near_receiver()) {
@@ -92,13 +102,27 @@ void HorizonSearch::walk_patch() {
   if (exit_y == exit) row_ += y_.rate > 0 ? 1 : -1;
 }
 
+// The patch beyond the edge that the track runs along; the current one where it runs along none.
+PatchIndex HorizonSearch::patch_beside() const {
+  return {column_ - (runs_on_edge(x_) ? 1 : 0), row_ - (runs_on_edge(y_) ? 1 : 0)};
+}
+
 // The candidates for H* in one patch: its exit (its entry was the exit of the patch before), and the point
 // where the line of sight touches the surface. Where the surface is A d^2 + B d + C above the receiver, it
 // touches at sqrt(C/A).
 void HorizonSearch::look_at_patch(double exit) {
-  const Patch patch(surface_, column_, row_, datum_);
-  const double x = fraction_of_patch(x_, column_, distance_);
-  const double y = fraction_of_patch(y_, row_, distance_);
+  PatchIndex at{column_, row_};
+  Patch patch(surface_, at.column, at.row, datum_);
+  if (!patch.is_whole()) {
+    at = patch_beside();
+    patch = Patch(surface_, at.column, at.row, datum_);
+  }
+  if (!patch.is_whole()) {
+    after_hole_ = true;
+    return;
+  }
+  const double x = fraction_of_patch(x_, at.column, distance_);
+  const double y = fraction_of_patch(y_, at.row, distance_);
   const auto [linear, quadratic] = patch.profile(x, y, x_.rate, y_.rate);  // about the entry
   const double length = exit - distance_;
 
@@ -110,7 +134,9 @@ void HorizonSearch::look_at_patch(double exit) {
     return;
   }
 
-  if (!near_receiver()) rise_ = patch.height(x, y) - eye_;
+  if (after_hole_ || !near_receiver()) rise_ = patch.height(x, y) - eye_;
+  if (after_hole_ && distance_ > 0) best_ = std::max(best_, rise_ / distance_);
+  after_hole_ = false;
   const auto rise_after = [&](double s) { return rise_ + s * (linear + quadratic * s); };
   const double constant = rise_ - distance_ * (linear - quadratic * distance_);
   if (quadratic < 0 && constant < 0) {

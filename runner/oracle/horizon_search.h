@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "oracle/block_maxima.h"
 #include "oracle/oracle.h"
@@ -26,6 +27,7 @@ class HorizonSearch {
   void walk_or_pass_block();
   void walk_patch();
   void look_at_patch(double exit);
+  [[nodiscard]] PatchIndex patch_beside() const;
   [[nodiscard]] bool near_receiver() const;
   [[nodiscard]] bool cannot_beat_best(double highest, double exit) const;
 
@@ -39,10 +41,12 @@ class HorizonSearch {
   double distance_ = 0;  // where the track enters the current patch
   // Heights count from a corner of the receiver's own patch: differences of nearby heights keep all their
   // digits, however high the terrain lies above zero.
-  double datum_;
-  double eye_;   // the receiver above the datum
-  double rise_;  // the surface above the receiver at distance_; kept up to date only near the receiver
+  double datum_ = 0;
+  double eye_ = 0;  // the receiver above the datum
+  double rise_;     // the surface above the receiver at distance_; kept up to date only near the receiver
   bool on_ground_;
+  bool has_ground_;          // there is a surface under the receiver
+  bool after_hole_ = false;  // the patch before has no surface, so that the entry is a candidate too
   double best_ = -std::numeric_limits<double>::infinity();
 };
 

@@ -75,6 +75,10 @@ GroundDirection ground_direction(double azimuth_degrees) {
   }
 }
 
+bool has_surface(const Surface& surface, double column, double row) {
+  return in_domain(surface, {column, row, 0}) && ground_patch(surface, column - 0.5, row - 0.5).has_value();
+}
+
 double surface_height(const Surface& surface, double column, double row) {
   const double x = std::fmin(std::fmax(column, 0.0), surface.width) - 0.5;
   const double y = std::fmin(std::fmax(row, 0.0), surface.height) - 0.5;
@@ -126,8 +130,11 @@ double steepest_slope(const Surface& surface) {
   for (int row = 0; row < surface.height; ++row) {
     for (int column = 0; column < surface.width; ++column) {
       const double here = at(row, column);
-      if (column > 0) steepest = std::max(steepest, std::abs(here - at(row, column - 1)) / surface.spacing_x);
-      if (row > 0) steepest = std::max(steepest, std::abs(here - at(row - 1, column)) / surface.spacing_y);
+      const auto slope_to = [&](double other, double distance) {
+        return std::min(here, other) > Surface::kNoData ? std::abs(here - other) / distance : 0.0;
+      };
+      if (column > 0) steepest = std::max(steepest, slope_to(at(row, column - 1), surface.spacing_x));
+      if (row > 0) steepest = std::max(steepest, slope_to(at(row - 1, column), surface.spacing_y));
     }
   }
   return steepest;

@@ -13,6 +13,10 @@ namespace gnomon::oracle {
 /// from the west and north edge); bilinear in between, clamped to the edge, over 0..domain_width x
 /// 0..domain_height texels.
 struct Surface {
+  /// A sample at or below this holds no data. A patch with such a corner has no surface: it neither hides
+  /// anything nor is there anything on it. Patches are closed: an edge belongs to every patch beside it.
+  static constexpr float kNoData = -1e20F;
+
   int width = 0;
   int height = 0;
   double spacing_x = 1.0;          ///< metres per texel
@@ -38,12 +42,16 @@ struct GroundDirection {
 /// The direction of a compass azimuth in degrees clockwise from north; exact for multiples of 45 degrees.
 [[nodiscard]] GroundDirection ground_direction(double azimuth_degrees);
 
-/// Height of the surface at (column, row), metres.
+/// Whether there is a surface at (column, row).
+[[nodiscard]] bool has_surface(const Surface& surface, double column, double row);
+
+/// Height of the surface at (column, row), metres; meaningless where there is none.
 [[nodiscard]] double surface_height(const Surface& surface, double column, double row);
 
 /// H* = sup over d > 0 of (h(d) - h0) / d (d in metres along the ground towards the sun, within the domain,
-/// h0 the receiver's own height); -infinity where no surface lies ahead or the receiver is outside the
-/// domain, +infinity from under the ground.
+/// h0 the receiver's own height); -infinity where no surface lies ahead, or none under the receiver, or it is
+/// outside the domain, +infinity from under the ground. A corner that the track only touches, its other
+/// patches there having no surface, does not count.
 [[nodiscard]] double horizon_slope(const Surface& surface, const Receiver& receiver,
                                    GroundDirection towards_sun);
 
@@ -64,7 +72,8 @@ struct GroundDirection {
 /// Whether |horizon - elevation| is within the band; never for elevation <= 0 and at the zenith.
 [[nodiscard]] bool in_band(double horizon_radians, double elevation_degrees, double band_width_radians);
 
-/// Largest |height difference| / distance between samples that are neighbours along a row or a column.
+/// Largest |height difference| / distance between samples with data that are neighbours along a row or a
+/// column.
 [[nodiscard]] double steepest_slope(const Surface& surface);
 
 }  // namespace gnomon::oracle

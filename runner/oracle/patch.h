@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "oracle/oracle.h"
 
@@ -69,6 +70,12 @@ struct Patch {
     south_east = height(south, east);
   }
 
+  /// Whether all four corners hold data. Heights and datum are so small against kNoData that any datum will
+  /// do.
+  [[nodiscard]] bool is_whole() const {
+    return std::min(std::min(north_west, north_east), std::min(south_west, south_east)) > Surface::kNoData;
+  }
+
   /// Height at the fractions x (eastward) and y (southward) of the patch.
   [[nodiscard]] double height(double x, double y) const {
     return north_west + x * (north_east - north_west) + y * (south_west - north_west) + x * y * twist();
@@ -84,5 +91,30 @@ struct Patch {
  private:
   [[nodiscard]] double twist() const { return (north_west - north_east) + (south_east - south_west); }
 };
+
+/// A patch by its indices.
+struct PatchIndex {
+  int column = 0;
+  int row = 0;
+};
+
+/// Whether the patch has a surface.
+inline bool is_whole(const Surface& surface, PatchIndex patch) {
+  return Patch(surface, patch.column, patch.row, 0.0).is_whole();
+}
+
+/// A patch with a surface that holds the place x, y (in samples), its edges included: the one in the
+/// south-east first.
+inline std::optional<PatchIndex> ground_patch(const Surface& surface, double x, double y) {
+  const auto first = [](double at) { return static_cast<int>(std::floor(at)) + 1; };
+  const int columns = x == std::floor(x) ? 2 : 1;
+  const int rows = y == std::floor(y) ? 2 : 1;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const PatchIndex patch{first(x) - j, first(y) - i};
+      if (is_whole(surface, patch)) return patch;
+    }
+  return std::nullopt;
+}
 
 }  // namespace gnomon::oracle

@@ -41,6 +41,20 @@ struct Track {
         z_rate(ray.direction[2]) {}
 };
 
+/// The patch with a surface under a track that is over patch (column, row): that one, or one beyond the edge
+/// that the track keeps to.
+std::optional<PatchIndex> patch_under(const Surface& surface, const Track& track, int column, int row) {
+  const auto keeps_to_edge = [](double at, double rate) { return rate == 0 && at == std::floor(at); };
+  const int columns = keeps_to_edge(track.column, track.column_rate) ? 2 : 1;
+  const int rows = keeps_to_edge(track.row, track.row_rate) ? 2 : 1;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) {
+      const PatchIndex patch{std::max(column - j, 0), std::max(row - i, 0)};
+      if (is_whole(surface, patch)) return patch;
+    }
+  return std::nullopt;
+}
+
 /// The parameter at which a track leaves patch `patch` of an axis.
 double leave(double origin, double rate, int patch) {
   if (rate == 0) return kInfinity;
@@ -77,24 +91,30 @@ std::optional<double> ViewTracer::first_hit(const ViewRay& ray) const {
   int column = patch_at(track.column + t * track.column_rate, surface.width);
   int row = patch_at(track.row + t * track.row_rate, surface.height);
   bool above = true;
-  for (bool entered = false; t <= span.last; entered = true) {
+  bool entered = false;  // from a patch with a surface: `above` is known
+  while (t <= span.last) {
     const double exit_x = leave(track.column, track.column_rate, column);
     const double exit_y = leave(track.row, track.row_rate, row);
     const double exit = std::min({exit_x, exit_y, span.last});
-    const Patch patch(surface, column, row, 0.0);
-    const double x = track.column + t * track.column_rate - (column - 1);
-    const double y = track.row + t * track.row_rate - (row - 1);
-    const Profile profile = patch.profile(x, y, track.column_rate, track.row_rate);
-    const double clearance = patch.height(x, y) - (track.z + t * track.z_rate);
-    if (!entered) above = clearance <= 0;
-    if (entered && above && clearance > 0) return t;  // rounding at the common edge
-    const double slope = profile.linear - track.z_rate;
-    const double length = std::isfinite(exit) ? std::max(exit - t, 0.0) : kInfinity;
-    const double s = growing_root(clearance, slope, profile.quadratic, length);
-    if (s >= 0) return t + s;
-    if (!std::isfinite(exit)) break;  // vertical, and not over the surface
-    above = clearance + length * (slope + profile.quadratic * length) <= 0;
-    if (exit == span.last) break;
+    const std::optional<PatchIndex> at = patch_under(surface, track, column, row);
+    if (at) {
+      const Patch patch(surface, at->column, at->row, 0.0);
+      const double x = track.column + t * track.column_rate - (at->column - 1);
+      const double y = track.row + t * track.row_rate - (at->row - 1);
+      const Profile profile = patch.profile(x, y, track.column_rate, track.row_rate);
+      const double clearance = patch.height(x, y) - (track.z + t * track.z_rate);
+      if (!entered) above = clearance <= 0;
+      if (entered && above && clearance > 0) return t;  // rounding at the common edge
+      const double slope = profile.linear - track.z_rate;
+      const double length = std::isfinite(exit) ? std::max(exit - t, 0.0) : kInfinity;
+      const double s = growing_root(clearance, slope, profile.quadratic, length);
+      if (s >= 0) return t + s;
+      above = std::isfinite(exit) && clearance + length * (slope + profile.quadratic * length) <= 0;
+    }
+    if (!std::isfinite(exit) || exit == span.last) break;  // vertical, and not over the surface; or the end
+    // Beyond a hole the entry says anew on which side of the sheet the ray is. A patch of length 0 changes
+    // nothing.
+    if (exit > t || !at) entered = at.has_value();
     t = std::max(t, exit);
     if (exit_x == exit) column += track.column_rate > 0 ? 1 : -1;
     if (exit_y == exit) row += track.row_rate > 0 ? 1 : -1;

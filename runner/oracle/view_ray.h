@@ -19,7 +19,8 @@ class ViewTracer {
   explicit ViewTracer(const Surface& surface);
 
   /// The smallest t >= 0 at which origin + t * direction dives under the surface, which is a sheet seen from
-  /// above; absent where it does not. Exact in each bilinear patch; steps by integer index.
+  /// above; absent where it does not. Patches without a surface are passed; a sheet that begins above the
+  /// ray, beyond one, is not seen. Exact in each bilinear patch; steps by integer index.
   [[nodiscard]] std::optional<double> first_hit(const ViewRay& ray) const;
 
  private:

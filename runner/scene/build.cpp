@@ -46,6 +46,10 @@ InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& 
                        std::to_string(terrain.width) + "; expected rows of equal length");
     }
     for (std::size_t j = 0; j < row.size(); ++j) {
+      if (!row[j].is_number()) {
+        terrain.heights.push_back(InlineTerrain::kNull);
+        continue;
+      }
       terrain.heights.push_back(row[j].number());
       if (std::abs(row[j].number() * vertical_scale) <= terrain::kHighestHeight) continue;
       report.error(row[j].place, child(child(pointer, i), j),
@@ -55,12 +59,24 @@ InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& 
   return terrain;
 }
 
+/// The schema has settled the names and ranges.
+terrain::RawLayout read_raw(const Value& raw) {
+  const std::array<int, 2> size = integer_pair(*raw.find("size"));
+  terrain::RawLayout layout{size[0], size[1], terrain::raw_type(raw.find("type")->text()).value()};
+  if (const Value* order = raw.find("byte_order")) layout.big_endian = order->text() == "big";
+  if (const Value* skip = raw.find("skip"))
+    layout.skip = static_cast<std::uint64_t>(std::get<std::int64_t>(skip->data));
+  return layout;
+}
+
 FileTerrain read_file(const Value& terrain, const BuildContext& context, std::string& below_root,
                       Report& report) {
   const InsideFile inside = inside_file(*terrain.find("file"), "/terrain/file", context, report);
   below_root = inside.below_root;
-  FileTerrain result{inside.path, std::nullopt};
+  FileTerrain result{.path = inside.path};
   if (const Value* channel = terrain.find("channel")) result.channel = channel->text();
+  if (const Value* raw = terrain.find("raw")) result.raw = read_raw(*raw);
+  if (const Value* nodata = terrain.find("nodata")) result.nodata = nodata->number();
   return result;
 }
 
@@ -92,14 +108,14 @@ ProceduralTerrain read_procedural(const Value& terrain, const Vocabulary& vocabu
 Terrain read_terrain(const Value& value, const BuildContext& context, std::string& below_root,
                      Report& report) {
   Terrain terrain;
-  read_number(value, "vertical_scale", terrain.vertical_scale);
+  if (const Value* scale = value.find("vertical_scale")) terrain.vertical_scale = scale->number();
   if (const Value* spacing = value.find("spacing")) {
     const json::Array* pair = spacing->get_if<json::Array>();
     terrain.spacing = pair ? std::array{(*pair)[0].number(), (*pair)[1].number()}
                            : std::array{spacing->number(), spacing->number()};
   }
   if (const Value* heights = value.find("heights")) {
-    terrain.source = read_heights(*heights, terrain.vertical_scale, report);
+    terrain.source = read_heights(*heights, terrain.vertical_scale.value_or(1.0), report);
   } else if (value.find("file")) {
     terrain.source = read_file(value, context, below_root, report);
   } else {
@@ -194,9 +210,16 @@ std::string canonical_json(const Scene& scene, const std::string& file_below_roo
   if (const auto* file = std::get_if<FileTerrain>(&scene.terrain.source)) {
     terrain.set("file", {file_below_root});
     if (file->channel) terrain.set("channel", {*file->channel});
+    if (file->nodata) terrain.set("nodata", {*file->nodata});
+    if (file->raw)
+      terrain.set("raw", object({{"size", size(file->raw->width, file->raw->height)},
+                                 {"type", {std::string(gnomon::terrain::name_of(file->raw->type))}},
+                                 {"byte_order", {std::string(file->raw->big_endian ? "big" : "little")}},
+                                 {"skip", {static_cast<std::int64_t>(file->raw->skip)}}}));
   } else if (const auto* heights = std::get_if<InlineTerrain>(&scene.terrain.source)) {
     json::Array values;
-    for (const double height : heights->heights) values.push_back({height});
+    for (const double height : heights->heights)
+      values.push_back(height == InlineTerrain::kNull ? Value{nullptr} : Value{height});
     terrain = object({{"size", size(heights->width, heights->height)}, {"heights", {std::move(values)}}});
   } else {
     const auto& procedural = std::get<ProceduralTerrain>(scene.terrain.source);
@@ -207,10 +230,11 @@ std::string canonical_json(const Scene& scene, const std::string& file_below_roo
                       {"seed", {static_cast<std::int64_t>(procedural.seed)}},
                       {"parameters", parameters}});
   }
-  const bool has_default = !terrain.find("file");  // a file without spacing may bring its own
+  const bool has_default = !terrain.find("file");  // a file may bring its own spacing and unit
   if (scene.terrain.spacing || has_default)
     terrain.set("spacing", pair(scene.terrain.spacing.value_or(std::array{1.0, 1.0})));
-  terrain.set("vertical_scale", {scene.terrain.vertical_scale});
+  if (scene.terrain.vertical_scale || has_default)
+    terrain.set("vertical_scale", {scene.terrain.vertical_scale.value_or(1.0)});
   Value shadow = object({{"method", {scene.shadow.method}},
                          {"k_dark", {scene.shadow.k_dark}},
                          {"k_bright", {scene.shadow.k_bright}},

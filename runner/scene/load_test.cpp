@@ -129,12 +129,13 @@ TEST_F(Mistakes, InTheTerrain) {
   EXPECT_EQ(
       terrain(R"({"procedural": "cone", "spacing": 0})"),
       "s.json:2:46: error: /terrain/spacing: expected a number above 0 (m), got 0. Distance between samples: "
-      "one number, or [west to east, north to south].");
+      "one number, or [west to east, north to south]. A file with a georeference needs none.");
   EXPECT_EQ(
       terrain(R"({"procedural": "cone", "spacing": "1"})"),
       "s.json:2:46: error: /terrain/spacing: expected a number above 0, or a list of exactly 2, each a "
       "number "
-      "above 0 (m), got \"1\". Distance between samples: one number, or [west to east, north to south].");
+      "above 0 (m), got \"1\". Distance between samples: one number, or [west to east, north to south]. A "
+      "file with a georeference needs none.");
   EXPECT_EQ(terrain(R"({"procedural": "cone", "seed": 4294967296})"),
             "s.json:2:43: error: /terrain/seed: expected an integer from 0 to 4294967295, got 4294967296. "
             "Seed of the "
@@ -165,12 +166,15 @@ TEST_F(Mistakes, InWrittenHeights) {
   EXPECT_EQ(heights("[]"),
             "s.json:2:24: error: /terrain/heights: expected a list of 1 to 16384, each a list of 1 to 16384, "
             "each a "
-            "number (stored units), got []. Heights written out: rows of equal length, the north row first.");
+            "number or null (stored units), got []. Heights written out: rows of equal length, the north row "
+            "first.");
   EXPECT_EQ(
       heights("[[1], []]"),
-      "s.json:2:30: error: /terrain/heights/1: expected a list of 1 to 16384, each a number, got []. One row "
-      "from west to east.");
-  EXPECT_EQ(heights("[[1, null]]"), "s.json:2:29: error: /terrain/heights/0/1: expected a number, got null");
+      "s.json:2:30: error: /terrain/heights/1: expected a list of 1 to 16384, each a number or null, got []. "
+      "One row from west to east; null where there is no data.");
+  EXPECT_EQ(heights("[[1, null]]"), "");
+  EXPECT_EQ(heights("[[1, true]]"),
+            "s.json:2:29: error: /terrain/heights/0/1: expected a number or null, got true");
   EXPECT_EQ(
       heights("[[1, 1e39]]"),
       "s.json:2:29: error: /terrain/heights/0/1: the height is too large for single precision; expected "

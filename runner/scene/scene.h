@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,18 +13,25 @@
 #include <vector>
 
 #include "ephemeris/sun_position.h"
+#include "terrain/raw_layout.h"
 
 namespace gnomon::scene {
 
 struct FileTerrain {
   /// Ready to open: absolute or relative to the working directory; inside the scene's root.
   std::string path;
-  std::optional<std::string> channel;
+  std::optional<std::string> channel{};
+  std::optional<terrain::RawLayout> raw{};  ///< the file is bare numbers that lie so
+  std::optional<double> nodata{};           ///< stored number that means "no data"
   friend bool operator==(const FileTerrain&, const FileTerrain&) = default;
 };
 struct InlineTerrain {
   int width = 0, height = 0;
-  std::vector<double> heights;  ///< row-major, north row first, stored units (times vertical_scale: metres)
+  /// What a height is that is null in the scene: there is no data. (Not NaN, so that equal maps compare
+  /// equal.)
+  static constexpr double kNull = -std::numeric_limits<double>::infinity();
+  std::vector<double>
+      heights;  ///< row-major, north row first, stored units (times vertical_scale: metres) or kNull
   friend bool operator==(const InlineTerrain&, const InlineTerrain&) = default;
 };
 struct ProceduralTerrain {
@@ -36,8 +44,8 @@ struct ProceduralTerrain {
 
 struct Terrain {
   std::variant<FileTerrain, InlineTerrain, ProceduralTerrain> source;
-  std::optional<std::array<double, 2>> spacing;  ///< metres per sample (x, y); absent: 1 m
-  double vertical_scale = 1.0;
+  std::optional<std::array<double, 2>> spacing;  ///< metres per sample (x, y); absent: the file's own, or 1 m
+  std::optional<double> vertical_scale;          ///< metres per stored unit; absent: the file's own, or 1
   friend bool operator==(const Terrain&, const Terrain&) = default;
 };
 

@@ -38,6 +38,12 @@ std::string describe_number(const Value& node, const std::string& noun) {
   return noun;
 }
 
+/// One of several types that a value may have, without ranges.
+std::string describe_type(const std::string& type) {
+  return type == "null" ? type
+                        : (type == "integer" || type == "array" || type == "object" ? "an " : "a ") + type;
+}
+
 std::string describe_list(const Value& node) {
   const Value *least = node.find("minItems"), *most = node.find("maxItems");
   std::string text = "a list";
@@ -146,6 +152,11 @@ std::string describe(const Value& node) {
                                         : "one of " + list.substr(1, list.size() - 2);
   }
   const std::string type = string_of(target, "type");
+  if (const Value* types = target.find("type"); types && types->get_if<json::Array>()) {
+    std::string text;
+    for (const Value& one : types->array()) text += (text.empty() ? "" : " or ") + describe_type(one.text());
+    return text;
+  }
   if (type == "integer") return describe_number(target, "an integer");
   if (type == "number") return describe_number(target, "a number");
   if (type == "boolean") return "true or false";

@@ -8,6 +8,7 @@
 #include "technique/camera.h"
 #include "technique/map_host.h"
 #include "technique/surface.h"
+#include "terrain/holes.h"
 #include "terrain/level.h"
 
 namespace gnomon::technique {
@@ -54,6 +55,21 @@ std::set<int> Ground::levels() const {
     if (valid[i] != 0) levels.insert(static_cast<int>(q[i]));
   }
   return levels;
+}
+
+void leave_out_holes(Ground& ground, const terrain::HeightMap& map) {
+  if (!map.holes) return;
+  for (const int q : ground.levels()) {
+    const terrain::HeightMap level = terrain::level(map, q);
+    for (std::size_t i = 0; i < ground.pixels(); ++i) {
+      if (ground.valid[i] == 0 || static_cast<int>(ground.q[i]) != q) continue;
+      const double column = double{ground.column[i]};
+      const double row = double{ground.row[i]};
+      const bool surface = terrain::has_surface(map, column, row) &&
+                           terrain::has_surface(level, std::ldexp(column, -q), std::ldexp(row, -q));
+      ground.valid[i] = surface ? 1.0F : 0.0F;
+    }
+  }
 }
 
 Ground empty_ground(glm::ivec2 size, const scene::Shadow& shadow) {

@@ -42,6 +42,9 @@ struct Ground {
   [[nodiscard]] std::set<int> levels() const;
 };
 
+/// Makes pixels invalid that have no surface under them, on the map or on the level that they ask for.
+void leave_out_holes(Ground& ground, const terrain::HeightMap& map);
+
 /// No pixel sees ground yet.
 [[nodiscard]] Ground empty_ground(glm::ivec2 size, const scene::Shadow& shadow);
 

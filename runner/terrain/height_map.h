@@ -11,6 +11,14 @@ namespace gnomon::terrain {
 /// and every square of a slope to stay finite in single precision.
 constexpr double kHighestHeight = 1e15;
 
+/// What stands in `samples` where there is no data: GNOMON_NO_SAMPLE of the shader library. Far below any
+/// height, so that a comparison tells it, and small enough for differences of two to stay finite.
+constexpr float kNoSample = -1e30F;
+
+[[nodiscard]] inline bool is_sample(float height) {
+  return height > -1e20F;
+}
+
 /// A level of a height map (level 0 is the map itself). Sample (row i, column j) lies at column j + 0.5, row
 /// i + 0.5, in texels of this level from the west and the north edge. The surface is the bilinear
 /// interpolation of the samples, clamped to the edge, over 0..domain_width x 0..domain_height.
@@ -22,7 +30,8 @@ struct HeightMap {
   double domain_width = 0;   ///< texels of this level; `width` at level 0, base width / 2^q at level q
   double domain_height = 0;  ///< texels of this level; `height` at level 0, base height / 2^q at level q
   std::vector<float>
-      samples;  ///< width * height heights in metres, row-major, row 0 = north; every one is finite
+      samples;  ///< width * height heights in metres (or kNoSample), row-major, row 0 = north; all finite
+  bool holes = false;  ///< whether some are kNoSample
 
   [[nodiscard]] float at(int row, int column) const {
     return samples[static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +

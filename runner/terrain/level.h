@@ -12,7 +12,8 @@ namespace gnomon::terrain {
 
 /// H_q, 0 <= q <= coarsest_level. A sample of H_{k+1} is the mean of its up to 2x2 children of H_k, in
 /// float32 as
-/// ((NW + NE) + (SW + SE)) * (1/n) with 0 for an absent child: bit-identical with programs/level.frag.
+/// ((NW + NE) + (SW + SE)) * (1/n) with 0 for an absent child (beyond the edge, or no sample): bit-identical
+/// with programs/level.frag. Without a child there is no sample.
 [[nodiscard]] HeightMap level(const HeightMap& base, int q);
 
 }  // namespace gnomon::terrain

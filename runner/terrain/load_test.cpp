@@ -109,7 +109,7 @@ TEST_F(LoadTest, ChannelsAreChosenByName) {
   EXPECT_TRUE(load_height_map(write_exr({{"anything", {1}}}), {}).ok());
 }
 
-TEST_F(LoadTest, HeightsThatAreNotFiniteAreRefusedWithTheirPlace) {
+TEST_F(LoadTest, NaNIsNoDataAndInfiniteHeightsAreRefusedWithTheirPlace) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
   const auto load = [&](const std::vector<float>& values) {
@@ -119,9 +119,11 @@ TEST_F(LoadTest, HeightsThatAreNotFiniteAreRefusedWithTheirPlace) {
   const auto finite = load({1.5f, -2.0f, 8848.0f});
   ASSERT_TRUE(finite.ok()) << to_string(finite.diagnostics()[0]);
   EXPECT_EQ(finite->map.samples, (std::vector<float>{1.5f, -2.0f, 8848.0f}));
-  EXPECT_NE(
-      refusal(load({1, kNaN, 2})).find("column 1, row 0 (counted from 0 in the north-west) is not a number"),
-      std::string::npos);
+  const auto pierced = load({1, kNaN, 2});
+  ASSERT_TRUE(pierced.ok());
+  EXPECT_EQ(pierced->map.samples, (std::vector<float>{1, kNoSample, 2}));
+  EXPECT_TRUE(pierced->map.holes);
+  EXPECT_FALSE(finite->map.holes);
   EXPECT_NE(refusal(load({1, 2, -kInfinity}))
                 .find("column 2, row 0 (counted from 0 in the north-west) is infinite"),
             std::string::npos);

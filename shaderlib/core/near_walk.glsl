@@ -12,26 +12,27 @@
 #define GNOMON_NEAR_PATCHES 6
 
 // Walks until t reaches 1 or the answer is known. The clearance starts at minus the receiver's height, exactly, and is
-// carried from patch to patch: close to the receiver a difference of absolute heights would be all rounding.
+// carried from patch to patch: close to the receiver a difference of absolute heights would be all rounding. It is carried
+// over a hole too, if the ray enters and leaves it over edges that have a surface: those meet in a corner, and between
+// them gnomon_patch has the plane of three corners. A ray that leaves a hole for another one meets no surface before it
+// has crossed a whole patch, where the clearance follows from the heights; the near walk ends there.
 GnomonCursor gnomon_near_walk(GnomonRay ray, float receiver_height, int q) {
-  GnomonCursor cursor;
-  cursor.patch_index = ray.start;
-  cursor.t = 0.0f;
-  cursor.steps = 0;
-  cursor.cause = GNOMON_CAUSE_UNDECIDED;
+  GnomonCursor cursor = gnomon_cursor_at_start(ray);
   float clearance = -receiver_height;
   for (int i = 0; i < GNOMON_NEAR_PATCHES; ++i) {
     cursor.steps = i + 1;
     vec2 exits = gnomon_ray_exits(ray, cursor.patch_index, 0);
-    float crossed = min(min(exits.x, exits.y), ray.t_end) - cursor.t;
+    float crossed = gnomon_crossed(ray, cursor.t, exits);
     GnomonCrossing crossing = gnomon_crossing(ray, cursor.patch_index, cursor.t, q);
     if (gnomon_crossing_hides(crossing, clearance, crossed)) {
       cursor.cause = GNOMON_CAUSE_SURFACE;
       return cursor;
     }
-    clearance = crossed > 0.0f ? min(gnomon_clearance_at(crossing, clearance, crossed), 0.0f) : clearance;
-    cursor = gnomon_leave_block(ray, cursor, cursor.patch_index, 0, exits, GNOMON_NEVER);
-    if (cursor.t >= 1.0f || cursor.cause != GNOMON_CAUSE_UNDECIDED) return cursor;
+    float left = gnomon_clearance_at(crossing, clearance, crossed);
+    clearance = crossed > 0.0f ? (crossing.hole ? left : min(left, 0.0f)) : clearance;
+    bool second_hole = cursor.after_hole && crossing.hole;
+    cursor = gnomon_leave_patch(ray, cursor, crossing, exits, GNOMON_NEVER);
+    if (cursor.t >= 1.0f || second_hole || cursor.cause != GNOMON_CAUSE_UNDECIDED) return cursor;
   }
   return cursor;
 }

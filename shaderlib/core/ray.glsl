@@ -23,7 +23,7 @@ struct GnomonRay {
   vec2 inverse;    // 1 / direction, large but finite where that is 0
   ivec2 forward;   // 1 where the ray moves east or south (or not at all), else 0
   float rise;      // metres per unit of t, > 0
-  float base;      // metres: height of the north-west corner of the start patch
+  float base;      // metres: height of a corner of the start patch, the north-west one unless it is no sample
   float height;    // metres above base at t = 0
   float t_end;     // where the ray leaves the domain
 };
@@ -33,6 +33,7 @@ struct GnomonPatch {
   float origin;
   vec2 slope;
   float twist;
+  bool hole;  // a corner is no sample: the patch has no surface
 };
 
 GnomonPatch gnomon_patch(ivec2 patch_index, float base, int q) {
@@ -40,10 +41,16 @@ GnomonPatch gnomon_patch(ivec2 patch_index, float base, int q) {
   float north_east = gnomon_host_height(patch_index - ivec2(0, 1), q);
   float south_west = gnomon_host_height(patch_index - ivec2(1, 0), q);
   float south_east = gnomon_host_height(patch_index, q);
+  bool north = gnomon_is_sample(min(north_west, north_east));
+  bool west = gnomon_is_sample(min(north_west, south_west));
   GnomonPatch result;
+  result.hole = !(north && gnomon_is_sample(min(south_west, south_east)));
   result.origin = north_west - base;
-  result.slope = vec2(north_east - north_west, south_west - north_west);
-  result.twist = (south_east - south_west) - (north_east - north_west);
+  // Where one corner is no sample, the slopes are those of the plane through the other three: along the two edges that
+  // have a surface, a walk carries its clearance over the hole (core/near_walk).
+  result.slope = vec2(north ? north_east - north_west : south_east - south_west,
+                      west ? south_west - north_west : south_east - north_east);
+  result.twist = result.hole ? 0.0f : (south_east - south_west) - (north_east - north_west);
   return result;
 }
 
@@ -70,7 +77,27 @@ float gnomon_domain_exit(float ahead, float direction) {
   return direction == 0.0f ? GNOMON_NEVER : ahead / direction;
 }
 
-// The ray from the receiver towards the sun, which stands above the plane and not at the zenith.
+// Sets base and height. The start patch may have no surface where the receiver stands on its edge; corners away from that
+// edge then have the weight 0. datum: metres, taken for the base where there is no corner at all.
+GnomonRay gnomon_ray_from_ground(GnomonRay ray, float receiver_height, float datum, int q) {
+  float north_west = gnomon_host_height(ray.start - ivec2(1, 1), q);
+  float north_east = gnomon_host_height(ray.start - ivec2(0, 1), q);
+  float south_west = gnomon_host_height(ray.start - ivec2(1, 0), q);
+  float south_east = gnomon_host_height(ray.start, q);
+  GnomonRay from = ray;
+  float highest = max(max(north_west, north_east), max(south_west, south_east));
+  from.base = gnomon_is_sample(north_west) ? north_west : (gnomon_is_sample(highest) ? highest : datum);
+  GnomonPatch p = gnomon_patch(ray.start, from.base, q);
+  vec2 far = ray.fraction;
+  vec2 near = vec2(1.0f - far.x, 1.0f - far.y);
+  float north = (north_west - from.base) * near.x + (north_east - from.base) * far.x;
+  float south = (south_west - from.base) * near.x + (south_east - from.base) * far.x;
+  from.height = receiver_height + (p.hole ? north * near.y + south * far.y : gnomon_patch_height(p, ray.fraction));
+  return from;
+}
+
+// The ray from the receiver towards the sun, which stands above the plane and not at the zenith. Its height has a meaning
+// where there is a surface (core/surface).
 GnomonRay gnomon_ray(GnomonMap map, GnomonReceiver receiver, vec3 to_sun, int q) {
   GnomonRay ray;
   vec2 texels = vec2(to_sun.x / map.spacing.x, -to_sun.y / map.spacing.y);
@@ -92,14 +119,35 @@ GnomonRay gnomon_ray(GnomonMap map, GnomonReceiver receiver, vec3 to_sun, int q)
   ray.start = ivec2(start_x, start_y);
   ray.fraction = vec2(fraction_x, fraction_y);
 
-  ray.base = gnomon_host_height(ray.start - ivec2(1, 1), q);
-  ray.height = receiver.height + gnomon_patch_height(gnomon_patch(ray.start, ray.base, q), ray.fraction);
   // The edge ahead in patches from the start patch; patch x begins half a texel west of sample x.
   float edge_x = (ray.forward.x == 1 ? map.domain.x + 0.5f : 0.5f) - float(start_x);
   float edge_y = (ray.forward.y == 1 ? map.domain.y + 0.5f : 0.5f) - float(start_y);
   ray.t_end = min(gnomon_domain_exit(edge_x - fraction_x, direction.x),
                   gnomon_domain_exit(edge_y - fraction_y, direction.y));
-  return ray;
+  return gnomon_ray_from_ground(ray, receiver.height, map.highest, q);
+}
+
+// Whether the ray runs along the edges of patches. The walk goes on their south or east side; an edge belongs to the
+// patches on the other side too.
+bool gnomon_ray_on_edges(GnomonRay ray) {
+  return (ray.direction.x == 0.0f && ray.fraction.x == 0.0f) || (ray.direction.y == 0.0f && ray.fraction.y == 0.0f);
+}
+
+// The same ray as the other side of those edges has it.
+GnomonRay gnomon_ray_other_side(GnomonRay ray) {
+  GnomonRay other = ray;
+  if (ray.direction.x == 0.0f && ray.fraction.x == 0.0f) {
+    other.start.x = ray.start.x - 1;
+    other.fraction.x = 1.0f;
+    other.forward.x = 0;
+    other.inverse.x = -GNOMON_NEVER;
+  } else if (ray.direction.y == 0.0f && ray.fraction.y == 0.0f) {
+    other.start.y = ray.start.y - 1;
+    other.fraction.y = 1.0f;
+    other.forward.y = 0;
+    other.inverse.y = -GNOMON_NEVER;
+  }
+  return other;
 }
 
 // Where the ray leaves the block of 2^level x 2^level patches that begins at patch `low`, on each axis.
@@ -129,6 +177,7 @@ struct GnomonCrossing {
   float slope;
   float curvature;
   float above;  // metres: surface above `base` at the entry
+  bool hole;    // there is no surface
 };
 
 GnomonCrossing gnomon_crossing(GnomonRay ray, ivec2 patch_index, float t, int q) {
@@ -136,6 +185,7 @@ GnomonCrossing gnomon_crossing(GnomonRay ray, ivec2 patch_index, float t, int q)
   vec2 entry = clamp(ray.fraction + (ray.direction * t - vec2(patch_index - ray.start)), vec2(0.0f, 0.0f), vec2(1.0f, 1.0f));
   GnomonCrossing crossing;
   crossing.above = gnomon_patch_height(p, entry);
+  crossing.hole = p.hole;
   float rise_x = (p.slope.x + p.twist * entry.y) * ray.direction.x;
   float rise_y = (p.slope.y + p.twist * entry.x) * ray.direction.y;
   crossing.slope = rise_x + rise_y - ray.rise;
@@ -147,22 +197,28 @@ float gnomon_clearance_at(GnomonCrossing crossing, float clearance, float s) {
   return clearance + s * (crossing.slope + crossing.curvature * s);
 }
 
-// Whether the surface rises strictly above the ray within 0 < s <= length, given its clearance (<= 0) at the entry.
-// Exact: either the exit is above, or the parabola's top lies inside and is. A clearance of exactly 0 (the receiver's
-// own patch) needs no epsilon: the sign of the slope decides.
+// Whether the surface rises strictly above the ray within 0 < s <= length, given its clearance at the entry: above 0 only
+// where the surface begins there, beyond a hole. Exact: either an end is above, or the parabola's top lies inside and is.
+// A clearance of exactly 0 (the receiver's own patch) needs no epsilon: the sign of the slope decides.
 bool gnomon_crossing_hides(GnomonCrossing crossing, float clearance, float crossed) {
-  if (crossed <= 0.0f) return false;
+  if (crossing.hole || crossed <= 0.0f) return false;
+  if (clearance > 0.0f) return true;
   if (gnomon_clearance_at(crossing, clearance, crossed) > 0.0f) return true;
   bool top_inside = crossing.curvature < 0.0f && crossing.slope > 0.0f && crossing.slope < -2.0f * crossing.curvature * crossed;
   return top_inside && crossing.slope * crossing.slope > 4.0f * crossing.curvature * clearance;
 }
 
-// Whether the surface hides the receiver within a patch that the ray enters at t >= 1 and leaves at `exits`: far enough
-// for the clearance to follow from the heights.
-bool gnomon_far_patch_hides(GnomonRay ray, ivec2 patch_index, float t, vec2 exits, int q) {
-  GnomonCrossing crossing = gnomon_crossing(ray, patch_index, t, q);
-  float clearance = min(crossing.above - (ray.height + ray.rise * t), 0.0f);
-  return gnomon_crossing_hides(crossing, clearance, min(min(exits.x, exits.y), ray.t_end) - t);
+// How far the ray goes within a patch that it enters at t and leaves at `exits`.
+float gnomon_crossed(GnomonRay ray, float t, vec2 exits) {
+  return min(min(exits.x, exits.y), ray.t_end) - t;
+}
+
+// Whether the surface hides the receiver within a patch that the ray enters at t and leaves at `exits`: far enough away
+// for the clearance to follow from the heights. after_hole: the patch before has no surface; else its exit was not above
+// the ray, and neither is this entry, whatever rounding says.
+bool gnomon_far_patch_hides(GnomonRay ray, GnomonCrossing crossing, float t, vec2 exits, bool after_hole) {
+  float clearance = crossing.above - (ray.height + ray.rise * t);
+  return gnomon_crossing_hides(crossing, after_hole ? clearance : min(clearance, 0.0f), gnomon_crossed(ray, t, exits));
 }
 
 #endif

@@ -177,8 +177,102 @@ TEST(FarPatchHides, AWallUpToItsTop) {
   for (const float tangent : {1.9F, 2.1F}) {
     const auto ray = modules.gnomon_ray(modules.map(), receiver, vec3(1, 0, tangent), 0);
     const vec2 exits = modules.gnomon_ray_exits(ray, ivec2(5, 2), 0);
-    EXPECT_EQ(modules.gnomon_far_patch_hides(ray, ivec2(5, 2), 2, exits, 0), tangent < 2) << tangent;
+    EXPECT_EQ(
+        modules.gnomon_far_patch_hides(ray, modules.gnomon_crossing(ray, ivec2(5, 2), 2, 0), 2, exits, false),
+        tangent < 2)
+        << tangent;
   }
+}
+
+// Sample (3, 2) of a slope is no sample.
+MapModules pierced() {
+  terrain::HeightMap map = flat_map(8, 6, 100);
+  for (std::size_t i = 0; i < map.samples.size(); ++i)
+    map.samples[i] += static_cast<float>(i % 8 + 2 * (i / 8));
+  map.samples[2 * 8 + 3] = GNOMON_NO_SAMPLE;
+  return MapModules(map);
+}
+
+TEST(Patch, WithOneCornerMissingHasTheSlopesOfTheOtherThree) {
+  const MapModules modules = pierced();
+  for (const ivec2 patch : {ivec2(3, 2), ivec2(4, 2), ivec2(3, 3), ivec2(4, 3)}) {
+    const auto p = modules.gnomon_patch(patch, 100, 0);
+    EXPECT_TRUE(p.hole);
+    EXPECT_EQ(p.slope, vec2(1, 2));
+    EXPECT_EQ(p.twist, 0);
+  }
+  EXPECT_FALSE(modules.gnomon_patch(ivec2(2, 2), 100, 0).hole);
+  EXPECT_TRUE(modules
+                  .gnomon_crossing(modules.gnomon_ray(modules.map(), modules.gnomon_receiver_at(1, 3, 0),
+                                                      vec3(1, 0, 1), 0),
+                                   ivec2(3, 3), 1.5F, 0)
+                  .hole);
+}
+
+// On the edge of a hole, with the ray over it: the height is that of the edge, whatever the missing corner.
+TEST(RayFromGround, StandsOnTheEdgeOfAHole) {
+  const MapModules modules = pierced();
+  for (const float along : {0.0F, 0.25F, 1.0F}) {
+    // The east side of patch (2, 3), and the west side of the hole's patch (3, 3).
+    const auto receiver = modules.gnomon_receiver_at(2.5F, 2.5F + along, 0.5F);
+    const auto ray = modules.gnomon_ray(modules.map(), receiver, vec3(1, 0, 1), 0);
+    EXPECT_EQ(ray.base + ray.height, 102 + 4 + 2 * along + 0.5F) << along;
+    const auto again = modules.gnomon_ray_from_ground(ray, 0.5F, 99, 0);
+    EXPECT_EQ(again.base, ray.base);
+    EXPECT_EQ(again.height, ray.height);
+  }
+  // Its north-west corner is the one that is missing.
+  const auto inside =
+      modules.gnomon_ray(modules.map(), modules.gnomon_receiver_at(4.5F, 2.75F, 0), vec3(-1, 0, 1), 0);
+  EXPECT_GT(inside.base, 0);
+  EXPECT_EQ(inside.base + inside.height, 104 + 4.5F);
+}
+
+TEST(RayFromGround, WithoutAnyCornerTakesTheDatum) {
+  terrain::HeightMap map = flat_map(8, 8, 100);
+  for (const std::size_t i : {27, 28, 35, 36}) map.samples[i] = GNOMON_NO_SAMPLE;  // around patch (4, 4)
+  const MapModules modules(map);
+  const auto ray = modules.gnomon_ray(modules.map(), modules.gnomon_receiver_at(4, 4, 0), vec3(1, 0, 1), 0);
+  EXPECT_EQ(ray.base, 100);
+  EXPECT_EQ(modules.gnomon_ray_from_ground(ray, 0, 77, 0).base, 77);
+}
+
+TEST(OtherSide, IsTheSameRayOnTheWestOrNorth) {
+  const MapModules modules(flat_map(8, 8));
+  const auto ray_towards = [&](float column, float row, vec3 sun) {
+    return modules.gnomon_ray(modules.map(), modules.gnomon_receiver_at(column, row, 0), sun, 0);
+  };
+  EXPECT_FALSE(modules.gnomon_ray_on_edges(ray_towards(3, 3.5F, vec3(0, 1, 1))));
+  EXPECT_FALSE(modules.gnomon_ray_on_edges(ray_towards(3.5F, 3.5F, vec3(1, 1, 1))));
+  const auto north = ray_towards(3.5F, 5.5F, vec3(0, 1, 1));
+  ASSERT_TRUE(modules.gnomon_ray_on_edges(north));
+  const auto other = modules.gnomon_ray_other_side(north);
+  EXPECT_EQ(other.start, north.start - ivec2(1, 0));
+  EXPECT_EQ(vec2(other.start) + other.fraction, vec2(north.start) + north.fraction);
+  // It walks up the other column of patches, to the north edge, at every level.
+  for (const int level : {0, 1, 2}) {
+    const ivec2 low = (other.start >> level) << level;
+    const vec2 exits = modules.gnomon_ray_exits(other, low, level);
+    EXPECT_GT(exits.x, 1e6F);
+    EXPECT_EQ(exits.y, static_cast<float>(5 - low.y + 1));
+    EXPECT_EQ(modules.gnomon_ray_next(other, other.start, low, level, exits), ivec2(3, low.y - 1));
+  }
+  const auto east = modules.gnomon_ray_other_side(ray_towards(3.5F, 5.5F, vec3(1, 0, 1)));
+  EXPECT_EQ(east.start, ivec2(4, 5));
+  EXPECT_EQ(east.fraction, vec2(0, 1));
+}
+
+TEST(Crossed, EndsWithTheDomain) {
+  const MapModules modules(flat_map(8, 8));
+  const auto ray = modules.gnomon_ray(modules.map(), modules.gnomon_receiver_at(3, 3, 0), vec3(1, 0, 1), 0);
+  EXPECT_EQ(modules.gnomon_crossed(ray, 0.25F, vec2(1.5F, 9)), 1.25F);
+  EXPECT_EQ(modules.gnomon_crossed(ray, 4.5F, vec2(6, 9)), 0.5F);
+}
+
+TEST(CrossingHides, WhereTheSurfaceBeginsAboveTheRay) {
+  EXPECT_TRUE(hills().gnomon_crossing_hides({.slope = -5, .curvature = 0, .above = 0}, 0.1F, 1));
+  EXPECT_FALSE(
+      hills().gnomon_crossing_hides({.slope = 5, .curvature = 0, .above = 0, .hole = true}, 0.1F, 1));
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 // options: GNOMON_HEIGHTS (gnomon_heights): name of the height sampler; GNOMON_EXTREMA (gnomon_extrema): of the extrema;
 //          GNOMON_R16_INTEGER (off): R16UI and a usampler2D, as OpenGL ES and WebGL have R16 by extension only;
 //          GNOMON_R16_SCALE (1.0): metres = stored * scale + offset, a literal or the name of a float;
-//          GNOMON_R16_OFFSET (0.0): likewise, metres
+//          GNOMON_R16_OFFSET (0.0): likewise, metres;
+//          GNOMON_R16_NO_SAMPLE (off): stored number that says that there is no sample, 0..65535
 #ifndef GNOMON_HOST_R16_GLSL
 #define GNOMON_HOST_R16_GLSL
 
@@ -36,6 +37,9 @@ float gnomon_host_height(ivec2 sample_index, int q) {
   int stored = int(texelFetch(GNOMON_HEIGHTS, texel, 0).r);
 #else
   int stored = gnomon_stored_number(texelFetch(GNOMON_HEIGHTS, texel, 0).r, 65535.0);
+#endif
+#ifdef GNOMON_R16_NO_SAMPLE
+  if (stored == GNOMON_R16_NO_SAMPLE) return GNOMON_NO_SAMPLE;
 #endif
   return gnomon_scaled_height(stored, GNOMON_R16_SCALE, GNOMON_R16_OFFSET);
 }

@@ -62,8 +62,7 @@ TEST(Extrema, OfBlocksAreTheHighestOfTheFourBelow) {
   }
 }
 
-TEST(CoarserHeight, EqualsTheLevelsOfTheCpuToTheBit) {
-  auto finer = fractal(37, 22);
+void expect_levels_of_the_cpu(gnomon::terrain::HeightMap finer) {
   for (int q = 0; finer.width > 1 || finer.height > 1; ++q) {
     const MapModules modules(finer);
     const auto coarser = gnomon::terrain::level(finer, 1);
@@ -76,6 +75,16 @@ TEST(CoarserHeight, EqualsTheLevelsOfTheCpuToTheBit) {
     }
     finer = coarser;
   }
+}
+
+TEST(CoarserHeight, EqualsTheLevelsOfTheCpuToTheBit) {
+  auto map = fractal(37, 22);
+  expect_levels_of_the_cpu(map);
+  // One, two, three and four children missing.
+  for (std::size_t i = 0; i < map.samples.size(); i += 3) map.samples[i] = GNOMON_NO_SAMPLE;
+  for (std::size_t i = 200; i < 400; ++i) map.samples[i] = GNOMON_NO_SAMPLE;
+  map.holes = true;
+  expect_levels_of_the_cpu(map);
 }
 
 }  // namespace

@@ -43,10 +43,11 @@ bool gnomon_literal_hides(GnomonMap map, GnomonTrack track, vec2 at, float heigh
   return gnomon_literal_flag(vec3(east, north, height - track.height), track.to_sun);
 }
 
-// The surface of H_q at a place in texels, metres: bilinear.
+// The surface of H_q at a place in texels, metres: bilinear. GNOMON_NO_SAMPLE, far below everything, in a hole.
 float gnomon_literal_height(vec2 at, int q) {
   GnomonReceiver place = gnomon_receiver_at(at.x, at.y, 0.0f);
-  return gnomon_patch_height(gnomon_patch(place.patch_index, 0.0f, q), place.fraction);
+  GnomonPatch p = gnomon_patch(place.patch_index, 0.0f, q);
+  return p.hole ? GNOMON_NO_SAMPLE : gnomon_patch_height(p, place.fraction);
 }
 
 GnomonTrack gnomon_literal_track(GnomonMap map, GnomonReceiver receiver, vec3 to_sun, int q) {

@@ -208,4 +208,24 @@ TEST(Multilevel, EndsOnDegenerateMapsAndSuns) {
   }
 }
 
+TEST(FarWalk, GoesOnFromWhereTheNearWalkEnded) {
+  // A wall of 9 m, ten texels to the east, and a hole on the way.
+  HeightMap map = gnomon::modules::flat_map(24, 5, 100);
+  for (std::size_t row = 0; row < 5; ++row) map.samples[row * 24 + 14] = 109;
+  map.samples[2 * 24 + 9] = GNOMON_NO_SAMPLE;
+  const MapModules modules(map);
+  const auto receiver = modules.gnomon_receiver_at(4.5F, 2.5F, 0);
+  for (const float tangent : {0.8F, 1.0F}) {
+    const auto ray = modules.gnomon_ray(modules.map(), receiver, vec3(1, 0.01F, tangent), 0);
+    const auto near = modules.gnomon_near_walk(ray, 0, 0);
+    ASSERT_EQ(near.cause, GNOMON_CAUSE_UNDECIDED);
+    const float above = modules.gnomon_t_above(modules.map(), ray);
+    const auto far = modules.gnomon_far_walk(modules.map(), ray, near, above, 0, modules.step_limit());
+    EXPECT_EQ(far.cause, tangent < 0.9F ? GNOMON_CAUSE_SURFACE : GNOMON_CAUSE_ABOVE_ALL);
+    EXPECT_GT(far.steps, near.steps);
+    EXPECT_EQ(modules.gnomon_far_walk(modules.map(), ray, near, above, 0, near.steps).cause,
+              GNOMON_CAUSE_UNDECIDED);
+  }
+}
+
 }  // namespace

@@ -7,12 +7,15 @@
 #define GNOMON_SHADING_LIT_GLSL
 
 #include <gnomon/core/ray.glsl>
+#include <gnomon/core/surface.glsl>
 
-// Unit normal of the bilinear surface where the receiver stands: x east, y north, z up.
+// Unit normal of the bilinear surface where the receiver stands: x east, y north, z up. Straight up where there is none.
 vec3 gnomon_surface_normal(GnomonMap map, GnomonReceiver receiver, int q) {
-  GnomonPatch p = gnomon_patch(receiver.patch_index, gnomon_host_height(receiver.patch_index, q), q);
-  float east = (p.slope.x + p.twist * receiver.fraction.y) / map.spacing.x;
-  float south = (p.slope.y + p.twist * receiver.fraction.x) / map.spacing.y;
+  GnomonReceiver here = gnomon_on_surface(receiver, q);
+  GnomonPatch p = gnomon_patch(here.patch_index, gnomon_host_height(here.patch_index, q), q);
+  if (p.hole) return vec3(0.0f, 0.0f, 1.0f);
+  float east = (p.slope.x + p.twist * here.fraction.y) / map.spacing.x;
+  float south = (p.slope.y + p.twist * here.fraction.x) / map.spacing.y;
   return normalize(vec3(-east, south, 1.0f));
 }
 

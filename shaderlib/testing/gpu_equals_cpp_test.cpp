@@ -143,9 +143,17 @@ class GpuEqualsCpp : public ::testing::TestWithParam<std::string> {
 
  private:
   static terrain::HeightMap heights() {
-    return terrain::make_procedural(
-               {.kind = GetParam(), .width = 133, .height = 70, .seed = 3, .spacing_x = 10, .spacing_y = 10})
-        .value();
+    terrain::HeightMap map =
+        terrain::make_procedural(
+            {.kind = GetParam(), .width = 133, .height = 70, .seed = 3, .spacing_x = 10, .spacing_y = 10})
+            .value();
+    // Holes, single ones and an empty block; the other kinds have none.
+    if (std::string(GetParam()) != "fractal") return map;
+    for (std::size_t i = 0; i < map.samples.size(); i += 97) map.samples[i] = terrain::kNoSample;
+    for (std::size_t i = 0; i < 20 * 20; ++i)
+      map.samples[(30 + i / 20) * 133 + 60 + i % 20] = terrain::kNoSample;
+    map.holes = true;
+    return map;
   }
 
   Result<gl::Context> context_ = gl::Context::create();

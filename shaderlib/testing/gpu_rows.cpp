@@ -73,6 +73,20 @@ std::vector<Row> decode_rows() {
 
 std::vector<Row> patch_rows() {
   return {
+      exact("gnomon_is_sample", &M::gnomon_is_sample,
+            [](Random& r) { return std::tuple{r.chance(0.3F) ? GNOMON_NO_SAMPLE : r.power_of_ten(-3, 30)}; }),
+      exact("gnomon_patch_has_surface", &M::gnomon_patch_has_surface,
+            [](Random& r) {
+              return std::tuple{r.patch_index(), r.whole(0, 7)};
+            }),
+      exact("gnomon_on_surface", &M::gnomon_on_surface,
+            [](Random& r) {
+              return std::tuple{r.receiver(), r.whole(0, 7)};
+            }),
+      exact("gnomon_has_surface", &M::gnomon_has_surface,
+            [](Random& r) {
+              return std::tuple{r.receiver(), r.whole(0, 7)};
+            }),
       exact("gnomon_patch", &M::gnomon_patch,
             [](Random& r) {
               return std::tuple{r.patch_index(), r.between(-100, 3000), r.whole(0, 7)};
@@ -111,6 +125,28 @@ std::vector<Row> ray_rows() {
             largest.t_end = kZeroOfEitherSign;
             return largest;
           }),
+      within_4_ulp(
+          "gnomon_ray_from_ground", &M::gnomon_ray_from_ground,
+          [](Random& r) {
+            return std::tuple{r.ray(), r.height_above_ground(), r.between(-100, 3000), r.whole(0, 7)};
+          },
+          [](const M& modules, M::GnomonRay given, float height, float datum, int q) {
+            const M::GnomonRay ray = modules.gnomon_ray_from_ground(given, height, datum, q);
+            M::GnomonRay largest{};
+            const Bilinear ground(modules.gnomon_patch(ray.start, ray.base, q), ray.fraction);
+            largest.height = ground.of_height(height);
+            return largest;
+          }),
+      exact("gnomon_ray_on_edges", &M::gnomon_ray_on_edges, [](Random& r) { return std::tuple{r.ray()}; }),
+      exact("gnomon_ray_other_side", &M::gnomon_ray_other_side,
+            [](Random& r) { return std::tuple{r.ray()}; }),
+      within_4_ulp(
+          "gnomon_crossed", &M::gnomon_crossed,
+          [](Random& r) {
+            const auto at = r.place(7);
+            return std::tuple{at.ray, at.cursor.t, at.exits};
+          },
+          [](const M&, M::GnomonRay, float, vec2) { return kZeroOfEitherSign; }),
       exact("gnomon_ray_exits", &M::gnomon_ray_exits,
             [](Random& r) {
               const auto at = r.place(7);
@@ -154,7 +190,7 @@ std::vector<Row> crossing_rows() {
       deciding(exact("gnomon_far_patch_hides", &M::gnomon_far_patch_hides,
                      [](Random& r) {
                        const auto at = r.place(0);
-                       return std::tuple{at.ray, at.cursor.patch_index, at.cursor.t, at.exits, r.whole(0, 7)};
+                       return std::tuple{at.ray, r.crossing(), at.cursor.t, at.exits, r.chance(0.2F)};
                      })),
   };
 }
@@ -171,14 +207,32 @@ std::vector<Row> walk_rows() {
           [](const M&, M::GnomonRay, M::GnomonCursor, ivec2, int, vec2, float) {
             return M::GnomonCursor{.patch_index = {}, .t = kZeroOfEitherSign, .steps = 0, .cause = 0};
           }),
+      within_4_ulp(
+          "gnomon_leave_patch", &M::gnomon_leave_patch,
+          [](Random& r) {
+            const auto at = r.place(0);
+            return std::tuple{at.ray, at.cursor, r.crossing(), at.exits,
+                              r.chance(0.2F) ? GNOMON_NEVER : r.between(0, 100)};
+          },
+          [](const M&, M::GnomonRay, M::GnomonCursor, M::GnomonCrossing, vec2, float) {
+            return M::GnomonCursor{.patch_index = {}, .t = kZeroOfEitherSign, .steps = 0, .cause = 0};
+          }),
       exact("gnomon_t_above", &M::gnomon_t_above,
             [](Random& r) {
               return std::tuple{r.map(), r.ray()};
             }),
+      exact("gnomon_cursor_at_start", &M::gnomon_cursor_at_start,
+            [](Random& r) { return std::tuple{r.ray()}; }),
+      exact("gnomon_repeat_on_other_side", &M::gnomon_repeat_on_other_side,
+            [](Random& r) {
+              auto at = r.place(0);
+              at.cursor.cause = r.whole(0, 5);
+              return std::tuple{at.ray, at.cursor};
+            }),
       exact("gnomon_walk_answer", &M::gnomon_walk_answer,
             [](Random& r) {
-              return std::tuple{
-                  M::GnomonCursor{r.patch_index(), r.between(0, 100), r.whole(0, 200000), r.whole(0, 5)}};
+              return std::tuple{M::GnomonCursor{r.patch_index(), r.between(0, 100), r.whole(0, 200000),
+                                                r.whole(0, 5), r.chance(0.5F), r.chance(0.5F)}};
             }),
       deciding(exact("gnomon_near_walk", &M::gnomon_near_walk,
                      [](Random& r) {
@@ -201,6 +255,17 @@ std::vector<Row> method_rows() {
   return {
       deciding(exact("gnomon_brute_force", &M::gnomon_brute_force, shadow_arguments)),
       deciding(exact("gnomon_multilevel", &M::gnomon_multilevel, shadow_arguments)),
+      deciding(exact("gnomon_far_walk", &M::gnomon_far_walk,
+                     [](Random& r) {
+                       const auto map = r.map();
+                       const auto at = r.place(0);
+                       return std::tuple{map,
+                                         at.ray,
+                                         r.modules().gnomon_cursor_at_start(at.ray),
+                                         r.modules().gnomon_t_above(map, at.ray),
+                                         r.whole(0, 7),
+                                         r.chance(0.1F) ? r.whole(0, 50) : r.modules().step_limit()};
+                     })),
   };
 }
 

@@ -46,12 +46,14 @@ void visit_members(Modules::GnomonPatch& patch, V&& visit) {
   visit("origin", patch.origin);
   visit("slope", patch.slope);
   visit("twist", patch.twist);
+  visit("hole", patch.hole);
 }
 template <class V>
 void visit_members(Modules::GnomonCrossing& crossing, V&& visit) {
   visit("slope", crossing.slope);
   visit("curvature", crossing.curvature);
   visit("above", crossing.above);
+  visit("hole", crossing.hole);
 }
 template <class V>
 void visit_members(Modules::GnomonCursor& cursor, V&& visit) {
@@ -59,6 +61,8 @@ void visit_members(Modules::GnomonCursor& cursor, V&& visit) {
   visit("t", cursor.t);
   visit("steps", cursor.steps);
   visit("cause", cursor.cause);
+  visit("after_hole", cursor.after_hole);
+  visit("met_hole", cursor.met_hole);
 }
 template <class V>
 void visit_members(Modules::GnomonTransit& transit, V&& visit) {

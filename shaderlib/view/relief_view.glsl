@@ -6,6 +6,7 @@
 #ifndef GNOMON_VIEW_RELIEF_VIEW_GLSL
 #define GNOMON_VIEW_RELIEF_VIEW_GLSL
 
+#include <gnomon/core/surface.glsl>
 #include <gnomon/relief/climb.glsl>
 
 // Why a view ray ended. One that reaches its step limit stays undecided: that is an error to report, never sky.
@@ -63,6 +64,7 @@ float gnomon_dive_root(GnomonCrossing crossing, float clearance, float root) {
 // entry; GNOMON_NEVER where it does not. `above`: whether the ray was above the surface when it left the patch before;
 // rounding at the common edge opens no gap.
 float gnomon_dive(GnomonCrossing crossing, float clearance, float crossed, bool above) {
+  if (crossing.hole) return GNOMON_NEVER;
   if (above && clearance > 0.0f) return 0.0f;
   float root = sqrt(max(crossing.slope * crossing.slope - 4.0f * crossing.curvature * clearance, 0.0f));
   if (clearance <= 0.0f) {
@@ -75,13 +77,10 @@ float gnomon_dive(GnomonCrossing crossing, float clearance, float crossed, bool 
   return again <= crossed ? again : GNOMON_NEVER;
 }
 
-// The walk of a view ray: at `t` in a patch, above the surface or under it.
+// The walk of a view ray: at `t` in a patch, above the surface or under it. Where it comes from a hole, the side on which
+// it enters says so anew: a sheet that begins above the ray is seen from under it, and not seen.
 GnomonHit gnomon_view_walk(GnomonMap map, GnomonRay ray, bool starts_above, int q, int step_limit) {
-  GnomonCursor cursor;
-  cursor.patch_index = ray.start;
-  cursor.t = 0.0f;
-  cursor.steps = 0;
-  cursor.cause = GNOMON_CAUSE_UNDECIDED;
+  GnomonCursor cursor = gnomon_cursor_at_start(ray);
   bool above = starts_above;
   int level = 0;
   for (int i = 0; i < step_limit; ++i) {
@@ -90,6 +89,7 @@ GnomonHit gnomon_view_walk(GnomonMap map, GnomonRay ray, bool starts_above, int 
     ivec2 low = (left >> level) << level;
     vec2 exits = gnomon_ray_exits(ray, low, level);
     float t_exit = min(min(exits.x, exits.y), ray.t_end);
+    bool over_hole = false;
     if (level > 0) {
       float lowest = ray.height + ray.rise * (ray.rise < 0.0f ? t_exit : cursor.t);
       if (gnomon_host_extrema(left >> level, level, q) - ray.base > lowest) {
@@ -101,6 +101,7 @@ GnomonHit gnomon_view_walk(GnomonMap map, GnomonRay ray, bool starts_above, int 
       GnomonCrossing crossing = gnomon_crossing(ray, left, cursor.t, q);
       float clearance = crossing.above - (ray.height + ray.rise * cursor.t);
       float crossed = max(t_exit - cursor.t, 0.0f);
+      if (cursor.after_hole) above = clearance <= 0.0f;
       float dive = gnomon_dive(crossing, clearance, crossed, above);
       if (dive < GNOMON_NEVER) {
         float t = cursor.t + dive;
@@ -109,8 +110,10 @@ GnomonHit gnomon_view_walk(GnomonMap map, GnomonRay ray, bool starts_above, int 
         return gnomon_hit(clamp(at, vec2(0.0f, 0.0f), map.domain), t, cursor.steps, GNOMON_VIEW_SURFACE);
       }
       above = gnomon_clearance_at(crossing, clearance, crossed) <= 0.0f;
+      over_hole = crossing.hole || (cursor.after_hole && crossed <= 0.0f);
     }
     cursor = gnomon_leave_block(ray, cursor, low, level, exits, GNOMON_NEVER);
+    cursor.after_hole = over_hole;
     if (cursor.cause != GNOMON_CAUSE_UNDECIDED) return gnomon_hit(vec2(0.0f, 0.0f), 0.0f, cursor.steps, GNOMON_VIEW_SKY);
     level = gnomon_climb(left, cursor.patch_index, level, map.top_level);
   }
@@ -136,16 +139,19 @@ GnomonHit gnomon_relief_view(GnomonMap map, vec3 origin, vec3 direction, int q, 
   GnomonReceiver foot = gnomon_receiver_at(over.x, over.y, 0.0f);
   float fastest = max(abs(texels.x), abs(texels.y));
   if (fastest <= GNOMON_VERTICAL * abs(direction.z)) {
-    float base = gnomon_host_height(foot.patch_index, q);
-    float fall = (origin.z - base) - gnomon_patch_height(gnomon_patch(foot.patch_index, base, q), foot.fraction);
-    bool sees = direction.z < 0.0f && fall >= 0.0f;
+    GnomonReceiver on = gnomon_on_surface(foot, q);
+    float base = gnomon_host_height(on.patch_index, q);
+    GnomonPatch under = gnomon_patch(on.patch_index, base, q);
+    float fall = (origin.z - base) - gnomon_patch_height(under, on.fraction);
+    bool sees = direction.z < 0.0f && fall >= 0.0f && !under.hole;
     return sees ? gnomon_hit(over, fall / -direction.z, 1, GNOMON_VIEW_SURFACE) : sky;
   }
   GnomonRay ray = gnomon_ray(map, foot, direction, q);
+  bool over_hole = !gnomon_has_surface(foot, q);
   float ground = ray.height;
   ray.height = (origin.z - ray.base) + direction.z * span.first;
   ray.t_end = min(ray.t_end, (span.last - span.first) * fastest);
-  GnomonHit hit = gnomon_view_walk(map, ray, ground <= ray.height, q, step_limit);
+  GnomonHit hit = gnomon_view_walk(map, ray, over_hole || ground <= ray.height, q, step_limit);
   hit.depth = hit.cause == GNOMON_VIEW_SURFACE ? span.first + hit.depth / fastest : 0.0f;
   return hit;
 }
