@@ -110,21 +110,13 @@ std::string glsl_name(std::string_view name) {
 }
 
 bool has_word(std::string_view text, std::string_view word) {
-  for (size_t at = text.find(word); at != text.npos; at = text.find(word, at + 1)) {
-    const bool begins = at == 0 || !is_word_character(text[at - 1]);
-    const size_t end = at + word.size();
-    if (begins && (end == text.size() || !is_word_character(text[end]))) return true;
-  }
-  return false;
+  return find_word(text, word) != text.npos;
 }
 
 // Where "name(" stands: a call or a declaration.
 bool has_call(std::string_view text, std::string_view name) {
-  for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
-    const bool begins = at == 0 || !is_word_character(text[at - 1]);
-    const std::string_view after = trim(text.substr(at + name.size()));
-    const bool ends = at + name.size() < text.size() && !is_word_character(text[at + name.size()]);
-    if (begins && ends && after.starts_with('(')) return true;
+  for (size_t at = find_word(text, name); at != text.npos; at = find_word(text, name, at + 1)) {
+    if (trim(text.substr(at + name.size())).starts_with('(')) return true;
   }
   return false;
 }

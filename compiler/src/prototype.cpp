@@ -28,12 +28,9 @@ bool begins_with_parameters_only(std::string_view after) {
 int line_of_prototype(std::string_view text, const std::string& name) {
   const std::string code = blank_comments(text);
   const std::string_view view = code;
-  for (size_t at = view.find(name); at != view.npos; at = view.find(name, at + name.size())) {
+  for (size_t at = find_word(view, name); at != view.npos; at = find_word(view, name, at + 1)) {
     const std::string_view before = view.substr(0, at);
-    const std::string_view after = view.substr(at + name.size());
-    const bool is_whole_word = (before.empty() || !is_word_character(before.back())) &&
-                               (after.empty() || !is_word_character(after.front()));
-    if (is_whole_word && ends_in_type(before) && begins_with_parameters_only(after)) {
+    if (ends_in_type(before) && begins_with_parameters_only(view.substr(at + name.size()))) {
       return 1 + static_cast<int>(std::ranges::count(before, '\n'));
     }
   }

@@ -60,14 +60,19 @@ std::string blank_comments(std::string_view text) {
   return code;
 }
 
+size_t find_word(std::string_view text, std::string_view word, size_t from) {
+  if (word.empty()) return text.npos;
+  for (size_t at = text.find(word, from); at != text.npos; at = text.find(word, at + 1)) {
+    const size_t end = at + word.size();
+    const bool begins = at == 0 || !is_word_character(text[at - 1]);
+    if (begins && (end == text.size() || !is_word_character(text[end]))) return at;
+  }
+  return text.npos;
+}
+
 int line_of_word(std::string_view text, std::string_view word) {
   const std::string code = blank_comments(text);
-  size_t at = code.find(word);
-  const auto ends_here = [&](size_t place) {
-    return place >= code.size() || !is_word_character(code[place]);
-  };
-  while (at != code.npos && !(ends_here(at + word.size()) && (at == 0 || ends_here(at - 1))))
-    at = code.find(word, at + 1);
+  const size_t at = find_word(code, word);
   if (at == code.npos) return 1;
   return 1 + static_cast<int>(std::count(code.begin(), code.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }

@@ -43,6 +43,9 @@ namespace gnomon::compiler {
 /// `text` with each character of a comment, but for line feeds, replaced by a blank: positions stay the same.
 [[nodiscard]] std::string blank_comments(std::string_view text);
 
+/// Where `word` stands in `text` as a whole word, from `from` on; npos where it does not.
+[[nodiscard]] size_t find_word(std::string_view text, std::string_view word, size_t from = 0);
+
 /// The 1-based line of the first `word` in the code of a text, comments left out; 1 where there is none.
 [[nodiscard]] int line_of_word(std::string_view text, std::string_view word);
 
