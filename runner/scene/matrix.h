@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The "matrix" of a scene: one document for each combination of values.
+// The tests that a scene makes: one document for each combination of its cameras and of the values of its
+// "matrix".
 #pragma once
 
 #include <string>
@@ -14,21 +15,21 @@ namespace gnomon::scene {
 
 /// One test's document and what tells it from its siblings.
 struct Combination {
-  json::Value root;                                          ///< without "matrix"
+  json::Value root;                                          ///< without "matrix" and "cameras"
   std::string suffix;                                        ///< "@elevation=10,q=2", or "" without a matrix
   std::vector<std::pair<std::string, std::string>> aliases;  ///< see Report::set_aliases
 };
 
 class Matrix {
  public:
-  /// `root` may hold a "matrix", whose shape has been reported on; further mistakes in it go to `report`. An
-  /// override wins over an axis of the same key, which then is left out.
+  /// `root` may hold a "matrix", whose shape has been reported on, and "cameras"; further mistakes in them go
+  /// to `report`. An override wins over an axis of the same key, which then is left out.
   Matrix(json::Value root, std::vector<Override> overrides, Report& report);
 
   /// How many combinations there are; 1 without a matrix, some of them after an error.
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Combination `index`; the last axis runs fastest.
+  /// Combination `index`: cameras first, then the matrix; the last axis runs fastest.
   [[nodiscard]] Combination at(std::size_t index) const;
 
   /// Whether an axis changes something below this key of the scene.
@@ -37,13 +38,18 @@ class Matrix {
  private:
   struct Axis {
     std::string key;
-    std::string name;  ///< as in a test's id
-    json::Place key_place;
+    std::string name;   ///< as in a test's id
+    json::Place place;  ///< where it was written, and its JSON pointer
+    std::string pointer;
     json::Array values;
-    std::vector<std::string> labels;  ///< of each value, as in a test's id
+    std::vector<std::string> labels;    ///< of each value, as in a test's id
+    std::vector<std::string> pointers;  ///< to each value
   };
 
+  void set_sections(std::vector<Override> overrides, Report& report);
+  void read_cameras(const json::Value& cameras, Report& report);
   void read_axes(const json::Object& members, Report& report);
+  void add_axis(Axis axis, Report& report);
   void drop_overridden_axes(Report& report);
   void name_axes(Report& report);
   [[nodiscard]] std::vector<std::size_t> choices(std::size_t index) const;
