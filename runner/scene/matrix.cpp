@@ -15,6 +15,7 @@ using json::Value;
 /// A suite of more tests than this is a typing error.
 constexpr std::size_t kMostCombinations = 10000;
 constexpr std::size_t kMostAxes = 32;
+constexpr const char* kCamera = "camera";
 /// After a mistake in the matrix or the overrides no test is made: enough to find most further mistakes.
 constexpr std::size_t kTriedDespiteErrors = 100;
 
@@ -74,7 +75,13 @@ Value take(Value& root, std::string_view section) {
 
 /// Whether a key lies in a section that makes tests, and so counts before any of them.
 bool makes_tests(const Override& override) {
-  return split_key(override.key).front() == "cameras";
+  const std::string section = split_key(override.key).front();
+  return section == "cameras" || section == "frames";
+}
+
+/// What `take` returns for a section that the scene does not have.
+bool is_absent(const Value& value) {
+  return value.get_if<std::nullptr_t>() && value.place == json::Place{};
 }
 
 bool is_object(const Value& value) {
@@ -86,11 +93,14 @@ bool is_object(const Value& value) {
 Matrix::Matrix(Value root, std::vector<Override> overrides, Report& report) : root_(std::move(root)) {
   set_sections(std::move(overrides), report);
   const Value cameras = take(root_, "cameras");
+  const Value frames = take(root_, "frames");
   Value matrix = take(root_, "matrix");
-  const std::size_t tests = is_object(cameras) ? std::max<std::size_t>(cameras.object().size(), 1) : 1;
-  if (!is_object(matrix)) matrix = {json::Object{}, cameras.place};
-  if (too_many(matrix.object(), tests)) {
-    report.error(matrix.place, "/matrix",
+  if (!is_object(matrix)) matrix.data = json::Object{};
+  read_frames(frames, cameras, report);
+  const std::size_t several = is_object(cameras) ? std::max<std::size_t>(cameras.object().size(), 1) : 1;
+  if (too_many(matrix.object(), several * (frames_ ? std::size_t(frames_->count()) : 1))) {
+    const bool by_matrix = !matrix.object().empty();
+    report.error(by_matrix ? matrix.place : frames.place, by_matrix ? "/matrix" : "/frames",
                  "makes more than " + std::to_string(kMostCombinations) + " tests, or has more than " +
                      std::to_string(kMostAxes) + " keys");
   } else {
@@ -100,6 +110,7 @@ Matrix::Matrix(Value root, std::vector<Override> overrides, Report& report) : ro
     name_axes(report);
   }
   for (const Axis& axis : axes_) size_ *= axis.values.size();
+  if (frames_) size_ *= std::size_t(frames_->count());
   if (!report.ok()) size_ = std::min<std::size_t>(size_, kTriedDespiteErrors);
 }
 
@@ -110,14 +121,15 @@ void Matrix::set_sections(std::vector<Override> overrides, Report& report) {
       overrides_.push_back(std::move(override));
       continue;
     }
-    static_cast<void>(take(root_, "camera"));  // as for other alternatives: the key decides
+    if (split_key(override.key).front() == "cameras")
+      static_cast<void>(take(root_, "camera"));  // the key decides
     if (std::optional<std::string> problem = set_value(root_, override.key, override.value))
       report.error(override.value.place, pointer_to(override.key), *problem);
   }
 }
 
 void Matrix::read_cameras(const Value& cameras, Report& report) {
-  if (cameras.get_if<std::nullptr_t>() && cameras.place == json::Place{}) return;  // there are none
+  if (is_absent(cameras)) return;
   check_shape(*member_schema(scene_schema(), "cameras"), cameras, "/cameras", report);
   if (root_.find("camera")) {
     report.error(cameras.place, "/cameras",
@@ -125,8 +137,9 @@ void Matrix::read_cameras(const Value& cameras, Report& report) {
     return;
   }
   if (!is_object(cameras) || cameras.object().empty()) return;
-  Axis axis{"camera", "", cameras.place, "/cameras", {}, {}, {}};
+  Axis axis{kCamera, "", cameras.place, "/cameras", {}, {}, {}};
   for (const json::Member& camera : cameras.object()) {
+    camera_names_.push_back(camera.key);
     axis.values.push_back(camera.value);
     axis.labels.push_back(as_label(camera.key));
     axis.pointers.push_back(json::child(axis.pointer, camera.key));
@@ -136,14 +149,31 @@ void Matrix::read_cameras(const Value& cameras, Report& report) {
   add_axis(std::move(axis), report);
 }
 
+/// Frames of a wrong shape make no tests.
+void Matrix::read_frames(const Value& frames, const Value& cameras, Report& report) {
+  if (is_absent(frames)) return;
+  Report shape = report.fresh();
+  check_shape(*member_schema(scene_schema(), "frames"), frames, "/frames", shape);
+  std::vector<std::string> names;
+  for (const json::Member& camera : is_object(cameras) ? cameras.object() : json::Object{})
+    names.push_back(camera.key);
+  if (shape.ok()) frames_.emplace(frames, names, report);
+  report.add(shape.take());
+}
+
 void Matrix::read_axes(const json::Object& members, Report& report) {
   for (const json::Member& member : members) {
     if (!is_axis(member.value)) continue;  // reported by whoever checked the shape
     Axis axis{member.key, "", member.place, json::child("/matrix", member.key), member.value.array(), {}, {}};
     std::optional<std::string> problem = key_problem(member.key);
-    if (!problem && split_key(member.key).front() == "cameras")
+    const std::string section = split_key(member.key).front();
+    if (!problem && section == "cameras") {
       problem =
-          "\"cameras\" makes tests itself; the matrix may change the camera of each, with keys of \"camera\"";
+          "\"cameras\" makes tests itself; the matrix may change the camera of each, with keys of "
+          "\"camera\"";
+    } else if (!problem && section == "frames") {
+      problem = "\"frames\" makes tests itself, the same for all values of the matrix";
+    }
     if (problem) {
       report.error(member.place, axis.pointer, *problem);
       continue;
@@ -168,13 +198,28 @@ void Matrix::add_axis(Axis axis, Report& report) {
   axes_.push_back(std::move(axis));
 }
 
+/// Whether what the axis sets is still there, its first value having been set.
+bool Matrix::survives(const Value& root, const Axis& axis) {
+  const Value* value = find_value(root, axis.key);
+  return value && value->place == axis.values.front().place;
+}
+
+/// Whether every axis still has a say in frame 0.
+bool Matrix::try_frames(Value trial, Report& report) const {
+  if (!frames_) return true;
+  Aliases ignored;
+  static_cast<void>(frames_->apply(0, camera_name(0), trial, ignored));
+  const auto moved =
+      std::find_if(axes_.begin(), axes_.end(), [&](const Axis& a) { return !survives(trial, a); });
+  if (moved == axes_.end()) return true;
+  report.error(moved->place, moved->pointer,
+               "the key for frame 0 sets \"" + moved->key + "\" too; keep one of the two");
+  return false;
+}
+
 /// Tries the first value of each axis, then the overrides: an axis whose value an override replaces or
-/// removes is dropped; one that another axis removes is an error.
+/// removes is dropped; one that another axis or a key frame removes is an error.
 void Matrix::drop_overridden_axes(Report& report) {
-  const auto survives = [](const Value& root, const Axis& axis) {
-    const Value* value = find_value(root, axis.key);
-    return value && value->place == axis.values.front().place;
-  };
   Value trial = root_;
   for (const Axis& axis : axes_) {
     if (std::optional<std::string> problem = set_value(trial, axis.key, axis.values.front())) {
@@ -190,6 +235,7 @@ void Matrix::drop_overridden_axes(Report& report) {
         "a later axis of the matrix removes or replaces \"" + removed->key + "\"; keep one of the two");
     return;
   }
+  if (!try_frames(trial, report)) return;
   for (const Override& override : overrides_) {
     if (std::optional<std::string> problem = set_value(trial, override.key, override.value)) {
       report.error(override.value.place, pointer_to(override.key), *problem);
@@ -218,6 +264,11 @@ void Matrix::name_axes(Report& report) {
   }
 }
 
+std::string Matrix::camera_name(std::size_t index) const {
+  if (camera_names_.empty() || axes_.empty() || axes_.front().key != kCamera) return "";
+  return camera_names_[index];
+}
+
 std::vector<std::size_t> Matrix::choices(std::size_t index) const {
   std::vector<std::size_t> chosen(axes_.size());
   for (std::size_t i = axes_.size(); i-- > 0;) {
@@ -227,9 +278,17 @@ std::vector<std::size_t> Matrix::choices(std::size_t index) const {
   return chosen;
 }
 
+void Matrix::set_frame(int frame, const std::string& camera, Combination& combination) const {
+  combination.problems = frames_->apply(frame, camera, combination.root, combination.aliases);
+  combination.suffix += (combination.suffix.empty() ? "@" : ",") + std::string("frame=") + frame_label(frame);
+  combination.frame = frame;
+  combination.rate = frames_->rate();
+}
+
 Combination Matrix::at(std::size_t index) const {
-  Combination combination{root_, "", {}};
-  const std::vector<std::size_t> chosen = choices(index);
+  const std::size_t frames = frames_ ? std::size_t(frames_->count()) : 1;
+  Combination combination{.root = root_};
+  const std::vector<std::size_t> chosen = choices(index / frames);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const Axis& axis = axes_[i];
     // The constructor has tried every key; only the shape of a value may still be wrong.
@@ -237,6 +296,7 @@ Combination Matrix::at(std::size_t index) const {
     combination.suffix += (i == 0 ? "@" : ",") + axis.name + "=" + axis.labels[chosen[i]];
     combination.aliases.emplace_back(pointer_to(axis.key), axis.pointers[chosen[i]]);
   }
+  if (frames_) set_frame(int(index % frames), chosen.empty() ? "" : camera_name(chosen.front()), combination);
   for (const Override& override : overrides_) {
     static_cast<void>(set_value(combination.root, override.key, override.value));
   }
@@ -244,6 +304,7 @@ Combination Matrix::at(std::size_t index) const {
 }
 
 bool Matrix::changes(const std::string& section) const {
+  if (frames_ && (section == "sun" || section == kCamera)) return true;
   return std::any_of(axes_.begin(), axes_.end(),
                      [&](const Axis& axis) { return split_key(axis.key).front() == section; });
 }

@@ -3,11 +3,12 @@
 // "matrix".
 #pragma once
 
+#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "scene/edit.h"
+#include "scene/frames.h"
 #include "scene/json.h"
 #include "scene/report.h"
 
@@ -15,9 +16,12 @@ namespace gnomon::scene {
 
 /// One test's document and what tells it from its siblings.
 struct Combination {
-  json::Value root;                                          ///< without "matrix" and "cameras"
-  std::string suffix;                                        ///< "@elevation=10,q=2", or "" without a matrix
-  std::vector<std::pair<std::string, std::string>> aliases;  ///< see Report::set_aliases
+  json::Value root;               ///< without "matrix", "cameras" and "frames"
+  std::string suffix;             ///< "@elevation=10,q=2", or "" where the scene makes one test
+  Aliases aliases;                ///< see Report::set_aliases
+  std::optional<int> frame;       ///< of a path
+  double rate = 0;                ///< of a path: frames a second
+  std::vector<Problem> problems;  ///< of this one alone
 };
 
 class Matrix {
@@ -29,7 +33,7 @@ class Matrix {
   /// How many combinations there are; 1 without a matrix, some of them after an error.
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Combination `index`: cameras first, then the matrix; the last axis runs fastest.
+  /// Combination `index`: cameras first, then the matrix; frames run fastest.
   [[nodiscard]] Combination at(std::size_t index) const;
 
   /// Whether an axis changes something below this key of the scene.
@@ -48,15 +52,24 @@ class Matrix {
 
   void set_sections(std::vector<Override> overrides, Report& report);
   void read_cameras(const json::Value& cameras, Report& report);
+  void read_frames(const json::Value& frames, const json::Value& cameras, Report& report);
   void read_axes(const json::Object& members, Report& report);
   void add_axis(Axis axis, Report& report);
   void drop_overridden_axes(Report& report);
+  [[nodiscard]] static bool survives(const json::Value& root, const Axis& axis);
+  [[nodiscard]] bool try_frames(json::Value trial, Report& report) const;
   void name_axes(Report& report);
   [[nodiscard]] std::vector<std::size_t> choices(std::size_t index) const;
+
+  /// Of the camera axis's value `index`, as the scene spells it; "" without that axis.
+  [[nodiscard]] std::string camera_name(std::size_t index) const;
+  void set_frame(int frame, const std::string& camera, Combination& combination) const;
 
   json::Value root_;
   std::vector<Override> overrides_;
   std::vector<Axis> axes_;
+  std::vector<std::string> camera_names_;
+  std::optional<Frames> frames_;
   std::size_t size_ = 1;
 };
 
