@@ -6,7 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
 
 #include "judge/judge.h"
@@ -80,7 +83,7 @@ std::optional<double> true_depth(const oracle::ViewTracer& tracer, const techniq
 }
 
 struct Tally {
-  long hits = 0, unsteady = 0, wrong = 0;
+  long hits = 0, unsteady = 0, wrong = 0, shadowed = 0;
   double worst_pixel = 0, worst_depth = 0;
 };
 
@@ -185,6 +188,69 @@ TEST(Cameras, NoPixelDiffersFromTheOracleAtItsOwnColumnAndRow) {
   EXPECT_GT(compared, 1e6);
   EXPECT_GT(shadowed, 0.1 * compared);
   EXPECT_LT(shadowed, 0.9 * compared);
+}
+
+/// Twenty views from all around and from several heights, every other one with parallel rays.
+std::vector<ViewCamera> twenty_cameras() {
+  std::vector<ViewCamera> cameras;
+  for (int i = 0; i < 20; ++i) {
+    const double turn = 0.1 + 0.3 * i;  // radians
+    const double away = 1800 + 150 * (i % 5);
+    const Point eye{1660 + away * std::cos(turn), 1000 + away * std::sin(turn), 700.0 + 260 * (i % 4)};
+    const Point target{1660.0 + 40 * (i % 3), 1000.0 - 30 * (i % 4), 150};
+    cameras.push_back(i % 2 == 0 ? perspective(eye, target, 40, {144, 90})
+                                 : orthographic(eye, target, 1300, {144, 90}));
+  }
+  return cameras;
+}
+
+/// Renders what a view saw again as points, by way of a file, and counts the points; bit for bit the same is
+/// expected.
+void ask_again(Engine& engine, const scene::Scene& seen, const std::string& file, Tally& tally) {
+  const Result<Rendered> view = engine.render(seen);
+  ASSERT_TRUE(view.ok()) << to_string(view.diagnostics().front());
+  ASSERT_TRUE(image::write_exr(file, view->image).ok());
+  scene::Scene scene = seen;
+  scene.camera = scene::PointsCamera{.path = file, .below_root = {}};
+  const Result<Rendered> points = engine.render(scene);
+  ASSERT_TRUE(points.ok()) << to_string(points.diagnostics().front());
+  for (const char* channel : {"valid", "q", "b_shadow"}) {
+    const std::vector<float>&before = view->image.channels.at(channel),
+          &after = points->image.channels.at(channel);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t i = 0; i < before.size(); ++i)
+      tally.wrong += std::bit_cast<std::uint32_t>(before[i]) != std::bit_cast<std::uint32_t>(after[i]);
+  }
+  for (std::size_t i = 0; i < view->image.pixels(); ++i) {
+    tally.hits += view->image.channels.at("valid")[i] != 0;
+    tally.shadowed += view->image.channels.at("b_shadow")[i] != 0;
+  }
+}
+
+TEST(Cameras, WhatTwentyOfThemSawHasTheSameShadowWhenAskedAgain) {
+  Engine engine = testing::make_engine();
+  const std::string file = ::testing::TempDir() + "gnomon_twenty_cameras.exr";
+  long asked = 0;
+  long shadowed = 0;
+  int index = 0;
+  for (const char* map : {"fractal", "gorge"}) {
+    scene::Scene scene = testing::scene_over(map, 333, 200);
+    scene.sun = {203.7, 12};
+    for (const ViewCamera& camera : twenty_cameras()) {
+      scene.camera = camera;
+      scene.shadow.q = std::array<std::optional<int>, 4>{0, 1, 2, std::nullopt}[std::size_t(index++ % 4)];
+      Tally tally;
+      ask_again(engine, scene, file, tally);
+      EXPECT_EQ(tally.wrong, 0) << map << ", camera " << index;
+      asked += tally.hits;
+      shadowed += tally.shadowed;
+    }
+  }
+  std::filesystem::remove(file);
+  std::cout << "asked again: " << asked << " points, " << shadowed << " in shadow\n";
+  EXPECT_GT(asked, 200000);
+  EXPECT_GT(shadowed, asked / 10);
+  EXPECT_LT(shadowed, asked * 9 / 10);
 }
 
 }  // namespace

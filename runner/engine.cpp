@@ -246,13 +246,16 @@ Result<Done> Engine::show(const Scene& scene, const Map& map, bool on_cpu, const
   return Done{};
 }
 
+bool Engine::on_cpu(const Scene& scene) const {
+  return options_.backend == Backend::kCpu || technique::find_technique(scene.shadow.method)->program.empty();
+}
+
 Result<Rendered> Engine::render(const Scene& scene) {
   const Result<std::shared_ptr<const HeightMap>> map = terrain(scene);
   if (!map) return map.diagnostics();
   if (Diagnostics wrong = scene::check_size(scene, (*map)->width, (*map)->height); !wrong.empty())
     return wrong;
-  const bool on_cpu =
-      options_.backend == Backend::kCpu || technique::find_technique(scene.shadow.method)->program.empty();
+  const bool on_cpu = this->on_cpu(scene);
   if (is_named(options_)) {
     // Its absence is an error even where the method could do without.
     if (const Result<const gl::Info*> info = gl_info(); !info) return info.diagnostics();
@@ -276,6 +279,25 @@ Result<image::Image> Engine::reference(const Scene& scene, const technique::Grou
   const Result<std::shared_ptr<const HeightMap>> map = terrain(scene);
   if (!map) return map.diagnostics();
   return technique::reference_image(scene, **map, ground, level);
+}
+
+Result<std::vector<float>> Engine::unsteady(const Scene& scene, const image::Image& image) {
+  if (!std::get_if<scene::ViewCamera>(&scene.camera)) return std::vector<float>();
+  const Result<std::shared_ptr<const HeightMap>> map = terrain(scene);
+  if (!map) return map.diagnostics();
+  std::vector<float> changes(image.pixels());
+  constexpr double kStep = 1.0 / 64;
+  for (const glm::dvec2 step : {glm::dvec2(kStep, 0), {-kStep, 0}, {0, kStep}, {0, -kStep}}) {
+    const Result<technique::Ground> points = ground(scene, *map, on_cpu(scene), step);
+    if (!points) return points.diagnostics();
+    const Result<image::Image> moved = shadow(scene, *map, on_cpu(scene), *points);
+    if (!moved) return moved.diagnostics();
+    for (const char* name : {"valid", "q", "b_shadow"}) {
+      const std::vector<float>&before = image.channels.at(name), &after = moved->channels.at(name);
+      for (std::size_t i = 0; i < changes.size(); ++i) changes[i] = before[i] != after[i] ? 1.0F : changes[i];
+    }
+  }
+  return changes;
 }
 
 image::Picture Engine::picture(const Rendered& rendered, const Scene& scene, const image::Image& image) {

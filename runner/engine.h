@@ -63,6 +63,10 @@ class Engine {
   [[nodiscard]] Result<image::Image> reference(const scene::Scene& scene, const technique::Ground& ground,
                                                std::optional<int> level = {});
 
+  /// 1 for each pixel of a render whose `valid`, `q` or `b_shadow` change when its ray moves by 1/64 pixel:
+  /// there another renderer's rounding may decide otherwise. Empty for cameras without rays.
+  [[nodiscard]] Result<std::vector<float>> unsteady(const scene::Scene& scene, const image::Image& image);
+
   /// The relief under the scene's camera as a person would look at it, with the shadows of `image` and its
   /// holes.
   [[nodiscard]] static image::Picture picture(const Rendered& rendered, const scene::Scene& scene,
@@ -96,6 +100,8 @@ class Engine {
   /// The points that the scene's camera asks for, whether or not there is a surface.
   [[nodiscard]] Result<technique::Ground> points_of(const scene::Scene& scene, const Map& map, bool on_cpu,
                                                     glm::dvec2 offset);
+  /// Whether the scene is answered without GL.
+  [[nodiscard]] bool on_cpu(const scene::Scene& scene) const;
   /// The points that the scene's camera sees, its rays `offset` pixels beside the pixels' centres.
   [[nodiscard]] Result<technique::Ground> ground(const scene::Scene& scene, const Map& map, bool on_cpu,
                                                  glm::dvec2 offset = {});

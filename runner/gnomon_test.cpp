@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 
 #include "image/image.h"
 #include "shell.h"
@@ -172,6 +173,28 @@ TEST_F(Gnomon, MissingGoldenFailsAndPrintsTheAcceptCommand) {
   EXPECT_SAYS(ran, "--update-goldens");
   EXPECT_EQ(run("test --update-goldens missing").code, 0);
   EXPECT_EQ(run("test").code, 0);
+}
+
+/// A plain of 16 m from above, a pixel a metre: 16 pixels see its western border and 16 the eastern one, the
+/// centres `aside` pixels east of it.
+std::string border_scene(const std::string& aside) {
+  return R"({"version": 1, "description": "d", "terrain": {"procedural": "flat", "size": [16, 16]}, "camera": {
+    "orthographic": {"eye": [8.5)" +
+         aside + R"(, 8.25, 9], "target": [8.5)" + aside +
+         R"(, 8.25, 0], "height": 20, "size": [20, 20]}}, "expect": [{"golden": {}}]})";
+}
+
+TEST_F(Gnomon, TheBandOfAGoldenHoldsWhatChangesWithinASixtyFourthOfAPixel) {
+  write("testcases/near.json", border_scene("1"));
+  write("testcases/far.json", border_scene("2"));
+  ASSERT_EQ(run("test --update-goldens missing").code, 0);
+  const auto marked = [&](const char* name) {
+    const image::Image golden = image::read_image((root_ / "goldens" / name).string()).value();
+    const std::vector<float>& band = golden.channels.at("band");
+    return std::accumulate(band.begin(), band.end(), 0.0);
+  };
+  EXPECT_EQ(marked("near.exr"), 32) << "0.01 pixel aside: 1/64 crosses the border";
+  EXPECT_EQ(marked("far.exr"), 0) << "0.02 pixel aside";
 }
 
 TEST_F(Gnomon, NinePixelsOfAGoldenAreSeen) {

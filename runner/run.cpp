@@ -118,11 +118,13 @@ Result<std::string> update_golden(Engine& engine, const Scene& scene, UpdateGold
   const scene::GoldenExpectation* expectation = golden_expectation(scene);
   if (!expectation || !golden_is_due(gathered, *expectation, update)) return std::string();
   if (Result<Done> asked = ask_oracle(engine, scene, gathered); !asked) return asked.diagnostics();
-  const Result<Done> written =
-      write_golden(gathered.rendered.image, *gathered.reference, scene, *expectation);
+  const Result<std::vector<float>> unsteady = engine.unsteady(scene, gathered.rendered.image);
+  if (!unsteady) return unsteady.diagnostics();
+  const GoldenSource source{gathered.rendered.image, *gathered.reference, *unsteady};
+  const Result<Done> written = write_golden(source, scene, *expectation);
   if (!written) return written.diagnostics();
   const std::string note = gathered.golden ? "updated" : "written";
-  gathered.golden = make_golden(gathered.rendered.image, *gathered.reference, scene);
+  gathered.golden = make_golden(source, scene);
   return note;
 }
 

@@ -41,9 +41,13 @@ void add_rows(const Value& node, const std::string& prefix, std::set<std::string
       add_member(prefix + key, *member_schema(*alternative, key), is_required, rows);
     }
     const Value* others = alternative->find("additionalProperties");
-    if (others && !description(*others).empty()) add_member(prefix + "NAME", *others, false, rows);
+    if (others && others->find("$ref")) {
+      rows.insert(row(prefix + "NAME", resolve(*others), false));  // its keys have their rows elsewhere
+    } else if (others && !description(*others).empty()) {
+      add_member(prefix + "NAME", *others, false, rows);
+    }
     const Value* items = alternative->find("items");
-    if (items && items->find("oneOf")) add_rows(*items, prefix + "N.", rows);
+    if (items && (items->find("oneOf") || items->find("properties"))) add_rows(*items, prefix + "N.", rows);
   }
 }
 

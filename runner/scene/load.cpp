@@ -45,9 +45,14 @@ Overrides parse_overrides(const std::vector<std::string>& arguments, const std::
   return overrides;
 }
 
-/// The shape of one combination. What no axis changes has been checked with the first one.
-void check_combination(const Value& root, const Matrix& matrix, bool first, Report& report) {
+/// The shape of one combination. What no axis changes has been checked with the first one, and between sound
+/// key frames lie sound frames.
+void check_combination(const Combination& combination, const Matrix& matrix, bool first, Report& report) {
+  const Value& root = combination.root;
+  for (const Problem& problem : combination.problems)
+    report.error(problem.place, problem.pointer, problem.message);
   if (first) return check_shape(scene_schema(), root, "", report);
+  if (combination.frame.value_or(0) > 0) return;
   for (const json::Member& member : root.get_if<json::Object>() ? root.object() : json::Object{}) {
     const Value* schema = member_schema(scene_schema(), member.key);
     if (schema && matrix.changes(member.key))
@@ -93,7 +98,7 @@ std::vector<Scene> build_tests(const Matrix& matrix, const BuildContext& context
   for (std::size_t i = 0; i < matrix.size(); ++i) {
     Combination combination = matrix.at(i);
     report.set_aliases(std::move(combination.aliases));
-    check_combination(combination.root, matrix, i == 0, report);
+    check_combination(combination, matrix, i == 0, report);
     if (!report.ok()) combination.root = sound_sections(std::move(combination.root), report);
     Scene scene = build_scene(combination.root, context, report);
     check_known_size(scene, combination.root, context.vocabulary, report);
@@ -105,6 +110,7 @@ std::vector<Scene> build_tests(const Matrix& matrix, const BuildContext& context
     }
     if (report.count() > kEnoughErrors || heights > kMostHeights) break;
     scene.id = id + combination.suffix;
+    if (combination.frame) scene.frame = Frame{*combination.frame, combination.rate};
     scene.golden_file = golden_file(context.project, scene.id);
     tests.push_back(std::move(scene));
   }

@@ -305,7 +305,8 @@ TEST_F(Mistakes, InTheSceneAsAWhole) {
   EXPECT_EQ(errors(scene("\"foo\": 1")),
             "s.json:3:1: error: /foo: unknown key \"foo\"; expected one of \"$schema\", \"version\", "
             "\"description\", "
-            "\"terrain\", \"sun\", \"camera\", \"shadow\", \"ground\", \"matrix\", \"expect\"");
+            "\"terrain\", \"sun\", \"camera\", \"cameras\", \"frames\", \"shadow\", \"ground\", \"matrix\", "
+            "\"expect\"");
 }
 
 TEST_F(Mistakes, AreAllSaidAtOnceInTheOrderOfTheFile) {

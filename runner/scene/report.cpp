@@ -12,12 +12,20 @@ namespace {
 constexpr std::size_t kMostErrors = 100;
 constexpr std::size_t kLongestMessage = 1000;  // bytes; a key of a hostile file may be longer
 
+/// Whether the argument "--set KEY" sets something in the section of this pointer ("cameras").
+bool sets_inside(const std::string& source, const std::string& pointer) {
+  if (pointer.empty()) return false;
+  const std::string section = "--set " + pointer.substr(1, pointer.find('/', 1) - 1);
+  return source.starts_with(section) && (source.size() == section.size() || source[section.size()] == '.');
+}
+
 }  // namespace
 
 void Report::error(json::Place place, const std::string& pointer, const std::string& message) {
-  const std::string shown = place.source == 0 ? as_written(pointer) : pointer;
-  add({Diagnostic{sources_[static_cast<std::size_t>(place.source)], place.line, place.column,
-                  shown.empty() ? message : shown + ": " + message}});
+  const std::string& source = sources_[static_cast<std::size_t>(place.source)];
+  const std::string written = as_written(pointer);
+  const std::string shown = place.source == 0 || sets_inside(source, written) ? written : pointer;
+  add({Diagnostic{source, place.line, place.column, shown.empty() ? message : shown + ": " + message}});
 }
 
 void Report::add(const Diagnostics& diagnostics) {

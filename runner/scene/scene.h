@@ -140,6 +140,12 @@ struct MaxStepsExpectation {
 using Expectation =
     std::variant<GoldenExpectation, ReferenceExpectation, ProbeExpectation, MaxStepsExpectation>;
 
+/// Which frame of a path a scene is.
+struct Frame {
+  int number = 0;    ///< from 0
+  double rate = 10;  ///< frames a second, of the preview
+};
+
 struct Scene {
   std::string id;           ///< "a/b" or "a/b@elevation=10,q=2"
   std::string file;         ///< the scene file, as given
@@ -158,6 +164,7 @@ struct Scene {
   Shadow shadow;
   Ground ground;
   std::vector<Expectation> expect;
+  std::optional<Frame> frame;
 };
 
 }  // namespace gnomon::scene

@@ -53,6 +53,7 @@ class Settler {
       if (const Value* text = target.find(key); text && !settled.find(key)) settled.set(key, *text);
     }
     if (chosen != &target) report_mixed(target, *chosen, value, pointer, settled);
+    name_members(members_of(value), settled);
     settle_members(members_of(value), pointer, settled);
     // Something else than a list breaks the type; without items there is nothing left to settle.
     const json::Array* items = value.get_if<json::Array>();
@@ -61,6 +62,20 @@ class Settler {
   }
 
  private:
+  /// Members of any name whose schema has to be settled become properties of their own, each to be settled by
+  /// its value.
+  static void name_members(const Object& members, Value& settled) {
+    const Value* others = settled.find("additionalProperties");
+    if (!others || !needs_settling(*others)) return;
+    const Value schema = *others;
+    if (!settled.find("properties")) settled.set("properties", {Object{}});
+    for (const Member& member : members) {
+      Value* properties = settled.find("properties");
+      if (!properties->find(member.key)) properties->set(member.key, schema);
+    }
+    settled.set("additionalProperties", {true});
+  }
+
   void settle_members(const Object& members, const std::string& pointer, Value& settled) {
     Value* properties = settled.find("properties");
     if (!properties) return;
