@@ -61,7 +61,7 @@ InlineTerrain read_heights(const Value& heights, double vertical_scale, Report& 
 
 /// The schema has settled the names and ranges.
 terrain::RawLayout read_raw(const Value& raw) {
-  const std::array<int, 2> size = integer_pair(*raw.find("size"));
+  const std::array<int, 2> size = integer_pair_of(*raw.find("size"));
   terrain::RawLayout layout{size[0], size[1], terrain::raw_type(raw.find("type")->text()).value()};
   if (const Value* order = raw.find("byte_order")) layout.big_endian = order->text() == "big";
   if (const Value* skip = raw.find("skip"))

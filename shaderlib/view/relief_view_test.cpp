@@ -127,5 +127,69 @@ TEST(ReliefView, AgreesWithDoublePrecisionOnRandomRays) {
   }
 }
 
+// Level ground 5 m high with a hole of 3 x 3 samples, a wall of 9 m behind it.
+MapModules pierced() {
+  terrain::HeightMap map = flat_map(20, 9);
+  for (std::size_t row = 0; row < 9; ++row) map.samples[row * 20 + 15] = 9;
+  for (std::size_t i = 0; i < 9; ++i) map.samples[(3 + i / 3) * 20 + 6 + i % 3] = GNOMON_NO_SAMPLE;
+  return MapModules(map);
+}
+
+TEST(ReliefView, SeesThroughHoles) {
+  const MapModules modules = pierced();
+  // From above: the hole, its rim, which is ground, and the ground beside it.
+  EXPECT_EQ(look(modules, vec3(7.5F, 4.5F, 20), vec3(0, 0, -1)).cause, GNOMON_VIEW_SKY);
+  EXPECT_EQ(look(modules, vec3(5.6F, 4.5F, 20), vec3(0, 0, -1)).cause, GNOMON_VIEW_SKY);
+  EXPECT_EQ(look(modules, vec3(5.5F, 4.5F, 20), vec3(0, 0, -1)).cause, GNOMON_VIEW_SURFACE);
+  EXPECT_EQ(look(modules, vec3(9.5F, 4.5F, 20), vec3(0, 0, -1)).cause, GNOMON_VIEW_SURFACE);
+  EXPECT_FLOAT_EQ(look(modules, vec3(4, 4, 20), vec3(0, 0, -1)).depth, 15);
+  // Across the hole, and down on the ground behind it or on the wall.
+  const auto wall = look(modules, vec3(2, 4.6F, 8), vec3(1, 0, 0));
+  EXPECT_EQ(wall.cause, GNOMON_VIEW_SURFACE);
+  EXPECT_NEAR(wall.at.x, 15.25F, 1e-5F);
+  EXPECT_NEAR(look(modules, vec3(2, 4.6F, 8), vec3(1, 0, -0.375F)).at.x, 10, 1e-4F);
+  // Into the hole: the ground behind it begins above the ray, which sees its underside and goes on below.
+  EXPECT_EQ(look(modules, vec3(2, 4.6F, 8), vec3(1, 0, -0.6F)).cause, GNOMON_VIEW_SKY);
+  // Out of the hole from below, over the ground, and down again behind the wall's foot.
+  const auto from_below = look(modules, vec3(7.5F, 4.6F, 4.9F), vec3(1, 0, 0.2F));
+  EXPECT_EQ(from_below.cause, GNOMON_VIEW_SURFACE);
+  EXPECT_GT(from_below.at.x, 14);
+}
+
+TEST(ReliefView, AgreesWithTheOracleOverHoles) {
+  terrain::HeightMap map =
+      terrain::make_procedural(
+          {.kind = "fractal", .width = 133, .height = 70, .seed = 8, .spacing_x = 10, .spacing_y = 10})
+          .value();
+  std::mt19937 random(6);
+  for (float& sample : map.samples)
+    if (random() % 25 == 0) sample = GNOMON_NO_SAMPLE;
+  for (std::size_t i = 0; i < 900; ++i) map.samples[(20 + i / 30) * 133 + 50 + i % 30] = GNOMON_NO_SAMPLE;
+  map.holes = true;
+  const MapModules modules(map);
+  const oracle::Surface surface = technique::surface_of(modules.heights());
+  const oracle::ViewTracer tracer(surface);
+  std::uniform_real_distribution<float> unit(0, 1);
+  const float highest = modules.map().highest;
+  int hits = 0, far = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const vec3 origin(1330 * (3 * unit(random) - 1), 700 * (3 * unit(random) - 1),
+                      highest * (0.2F + 2 * unit(random)));
+    const vec3 target(1330 * unit(random), 700 * unit(random), highest * unit(random));
+    const vec3 direction = i % 10 == 0 ? vec3(0, 0, -1) : normalize(target - origin);
+    const vec3 from = i % 10 == 0 ? vec3(target.x, target.y, 2 * highest) : origin;
+    const auto hit = look(modules, from, direction);
+    const auto expected =
+        tracer.first_hit({{from.x, from.y, from.z}, {direction.x, direction.y, direction.z}});
+    ASSERT_NE(hit.cause, GNOMON_VIEW_UNDECIDED);
+    hits += expected.has_value();
+    const bool same = expected.has_value() == (hit.cause == GNOMON_VIEW_SURFACE) &&
+                      std::abs(expected.value_or(0) - double{hit.depth}) <= 0.01 + 1e-5 * double{hit.depth};
+    far += !same;
+  }
+  EXPECT_GT(hits, 3000);
+  EXPECT_LT(far, 60);
+}
+
 }  // namespace
 }  // namespace gnomon::modules
