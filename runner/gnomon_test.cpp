@@ -175,6 +175,31 @@ TEST_F(Gnomon, MissingGoldenFailsAndPrintsTheAcceptCommand) {
   EXPECT_EQ(run("test").code, 0);
 }
 
+TEST_F(Gnomon, CamerasAndFramesMakeImagesAndAPreviewEach) {
+  write("testcases/a.json",
+        R"({"version": 1, "description": "d", "terrain": {"procedural": "cone", "size": [32, 32]},
+            "cameras": {"map": {"map": {}}, "side": {"orthographic": {"eye": [40, -40, 40], "target": [16, 16, 0],
+                        "height": 40, "size": [24, 16]}}},
+            "frames": {"count": 3, "keys": [{"frame": 2, "sun": {"azimuth": 100}, "cameras": {"side": {"height": 20}}}]},
+            "expect": [{"reference": {}}]})");
+  const Ran rendered = run("render testcases/a.json -o o.exr");
+  EXPECT_EQ(rendered.code, 0);
+  EXPECT_EQ(rendered.output,
+            "o@camera=map,frame=0000.exr\no@camera=map,frame=0001.exr\no@camera=map,frame=0002.exr\no@camera="
+            "map.gif\n"
+            "o@camera=side,frame=0000.exr\no@camera=side,frame=0001.exr\no@camera=side,frame=0002.exr\n"
+            "o@camera=side.gif\n");
+  EXPECT_EQ(read("o@camera=map.gif").substr(0, 6), "GIF89a");
+  EXPECT_NE(read("o@camera=map,frame=0000.exr"), read("o@camera=map,frame=0001.exr"));
+  const Ran one = run("render testcases/a.json --set 'camera={\"map\": {}}' -o p.png");
+  EXPECT_EQ(one.output, "p@frame=0000.png\np@frame=0001.png\np@frame=0002.png\np.gif\n");
+  const Ran some = run("test --filter '*map,frame=0001' --list");
+  EXPECT_EQ(some.output, "a@camera=map,frame=0001\n");
+  EXPECT_SAYS(run("test --filter '*camera=side*'"), "3 passed, 0 failed");
+  EXPECT_SAYS(run("test --set frames.keys.0.frame=9"),
+              "--set frames.keys.0.frame: error: /frames/keys/0/frame: there is no");
+}
+
 /// A plain of 16 m from above, a pixel a metre: 16 pixels see its western border and 16 the eastern one, the
 /// centres `aside` pixels east of it.
 std::string border_scene(const std::string& aside) {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <glslang/MachineIndependent/LiveTraverser.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -17,7 +19,7 @@ using glslang::TQualifier;
 using glslang::TType;
 
 // What the code that main() reaches uses of the outside world, and which functions those are.
-class Uses : public LiveCode {
+class Uses : public LiveCode<glslang::TLiveTraverser, glslang::TIntermediate> {
  public:
   explicit Uses(const glslang::TIntermediate& code) : LiveCode(code) { traverse_live(); }
 

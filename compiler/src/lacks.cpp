@@ -2,6 +2,7 @@
 #include "lacks.h"
 
 #include <fmt/format.h>
+#include <glslang/MachineIndependent/LiveTraverser.h>
 
 #include <array>
 #include <string_view>
@@ -104,7 +105,7 @@ class InterfaceUse : public glslang::TIntermTraverser {
   bool found = false;
 };
 
-class LackFinder : public LiveCode {
+class LackFinder : public LiveCode<glslang::TLiveTraverser, glslang::TIntermediate> {
  public:
   LackFinder(const glslang::TIntermediate& code, const Target& target, DeclarationLines& lines)
       : LiveCode(code), target_(target), lines_(lines) {

@@ -2,6 +2,7 @@
 #include "numbering.h"
 
 #include <fmt/format.h>
+#include <glslang/MachineIndependent/LiveTraverser.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -85,7 +86,7 @@ Resource resource_of(const std::string& name, const TType& type) {
   return resource;
 }
 
-class LiveSymbols : public LiveCode {
+class LiveSymbols : public LiveCode<glslang::TLiveTraverser, glslang::TIntermediate> {
  public:
   explicit LiveSymbols(const glslang::TIntermediate& code) : LiveCode(code) { traverse_live(); }
   void visitSymbol(TIntermSymbol* node) override { ids.insert(node->getId()); }

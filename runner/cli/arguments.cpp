@@ -219,7 +219,10 @@ void add_map_options(CLI::App* app, RenderArguments& a) {
 }
 
 void add_render(CLI::App& root, RenderArguments& a) {
-  CLI::App* app = root.add_subcommand("render", "Render the shadow of a scene or of a height map");
+  CLI::App* app = root.add_subcommand("render",
+                                      "Render the shadow of a scene or of a height map. A matrix, cameras "
+                                      "and frames make an image each, named by what "
+                                      "tells it apart; frames also an animated preview (.gif)");
   auto* scene = app->add_option("SCENE", a.scene, "scene file (JSON)");
   auto* heightmap =
       app->add_option("--heightmap", a.heightmap,

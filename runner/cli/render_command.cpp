@@ -2,9 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "cli/commands.h"
 #include "engine.h"
+#include "image/animation.h"
 #include "image/image.h"
 #include "scene/project.h"
 #include "scene/sun_at_time.h"
@@ -96,6 +98,14 @@ std::string output_of(const RenderArguments& a, const scene::Scene& scene, bool 
       .string();
 }
 
+/// "o.gif" beside "o@frame=0007.exr", one for all frames of a path.
+std::string preview_of(const RenderArguments& a, const scene::Scene& scene) {
+  std::string suffix = scene.id.substr(scene.id.find('@'));
+  suffix.resize(suffix.rfind("frame=") - 1);  // with the "@" or "," before it
+  const fs::path path(a.output);
+  return (path.parent_path() / (path.stem().string() + suffix + ".gif")).string();
+}
+
 std::string extension_of(const std::string& path) {
   std::string extension = fs::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -139,6 +149,53 @@ bool overwrites_input(const std::string& output, const scene::Scene& scene) {
   return same_file(output, scene.file) || (file && same_file(output, file->path));
 }
 
+/// What is about to be overwritten although it is rendered from, or nothing.
+std::optional<Diagnostic> overwriting(const RenderArguments& a, const std::vector<scene::Scene>& scenes) {
+  for (const scene::Scene& scene : scenes) {
+    std::vector<std::string> paths{output_of(a, scene, scenes.size() > 1)};
+    if (scene.frame) paths.push_back(preview_of(a, scene));
+    for (const std::string& path : paths) {
+      if (overwrites_input(path, scene))
+        return Diagnostic{.file = path, .message = "is what is rendered from: write to another file"};
+    }
+  }
+  return std::nullopt;
+}
+
+/// The animated preview of a path, from its first frame to its last.
+class Preview {
+ public:
+  /// Returns the path of the file that was written with the last frame, else "".
+  Result<std::string> add(const std::string& path, const scene::Frame& frame, const image::Picture& picture) {
+    if (frame.number == 0) animation_.emplace(path, frame.rate);
+    if (const Result<Done> added = animation_->add(picture); !added) return added.diagnostics();
+    if (frame.number + 1 < frame.count) return std::string();
+    if (const Result<Done> written = animation_->write(); !written) return written.diagnostics();
+    return path;
+  }
+
+ private:
+  std::optional<image::Animation> animation_;
+};
+
+/// Renders a scene and writes what it shows; prints the paths of what was written.
+Result<Done> render(Engine& engine, const RenderArguments& arguments, const scene::Scene& scene, bool several,
+                    Preview& preview, Console& console) {
+  const Result<Rendered> rendered = engine.render(scene);
+  if (!rendered) return rendered.diagnostics();
+  for (const std::string& note : scene.notes) console.err << note << "\n";
+  for (const std::string& note : rendered->notes) console.err << note << "\n";
+  const std::string path = output_of(arguments, scene, several);
+  if (const Result<Done> written = write(path, *rendered, scene); !written) return written;
+  console.out << path << "\n";
+  if (!scene.frame) return Done{};
+  const Result<std::string> finished = preview.add(preview_of(arguments, scene), *scene.frame,
+                                                   Engine::picture(*rendered, scene, rendered->image));
+  if (!finished) return finished.diagnostics();
+  if (!finished->empty()) console.out << *finished << "\n";
+  return Done{};
+}
+
 bool known_output(const std::string& path) {
   const std::string extension = extension_of(path);
   return extension == ".exr" || extension == ".png" || extension == ".tif" || extension == ".tiff";
@@ -155,17 +212,13 @@ int run_command(const RenderArguments& arguments, Console& console) {
   if (const int code = report(console, loaded.diagnostics); code != 0) return code;
   const Result<scene::Project> project = scene::find_project(arguments.scene.empty() ? "." : arguments.scene);
   if (!project && !arguments.scene.empty()) return report(console, project.diagnostics());
-  for (const scene::Scene& scene : loaded.scenes) {
-    const std::string path = output_of(arguments, scene, loaded.scenes.size() > 1);
-    if (overwrites_input(path, scene)) {
-      return report(console, {{.file = path, .message = "is what is rendered from: write to another file"}});
-    }
-  }
+  if (const auto refusal = overwriting(arguments, loaded.scenes)) return report(console, {*refusal});
   Engine engine({.shader_library = console.shader_library,
                  .includes = project ? project->includes : std::vector<std::string>{},
                  .target = arguments.target,
                  .backend = arguments.backend,
                  .device = arguments.device});
+  Preview preview;
   std::size_t written_count = 0;
   for (const scene::Scene& scene : loaded.scenes) {
     if (console.interrupted) {
@@ -173,14 +226,9 @@ int run_command(const RenderArguments& arguments, Console& console) {
                   << " images were written\n";
       return static_cast<int>(Failure::kInterrupted);
     }
-    const Result<Rendered> rendered = engine.render(scene);
-    if (!rendered) return report(console, rendered.diagnostics());
-    for (const std::string& note : scene.notes) console.err << note << "\n";
-    for (const std::string& note : rendered->notes) console.err << note << "\n";
-    const std::string path = output_of(arguments, scene, loaded.scenes.size() > 1);
-    if (const Result<Done> written = write(path, *rendered, scene); !written)
-      return report(console, written.diagnostics());
-    console.out << path << "\n";
+    const bool several = loaded.scenes.size() > 1;
+    const Result<Done> written = render(engine, arguments, scene, several, preview, console);
+    if (!written) return report(console, written.diagnostics());
     ++written_count;
   }
   return 0;

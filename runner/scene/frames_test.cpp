@@ -43,6 +43,7 @@ TEST_F(FramesTest, EachMakesATest) {
   EXPECT_EQ(ids(result), (Ids{"s@frame=0000", "s@frame=0001", "s@frame=0002"}));
   EXPECT_EQ(result.tests[1].golden_file, (root / "goldens/s@frame=0001.exr").generic_string());
   EXPECT_EQ(result.tests[1].frame->number, 1);
+  EXPECT_EQ(result.tests[1].frame->count, 3);
   EXPECT_EQ(result.tests[1].frame->rate, 10);
   EXPECT_FALSE(load(scene()).tests.at(0).frame);
 }

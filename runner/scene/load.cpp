@@ -52,7 +52,7 @@ void check_combination(const Combination& combination, const Matrix& matrix, boo
   for (const Problem& problem : combination.problems)
     report.error(problem.place, problem.pointer, problem.message);
   if (first) return check_shape(scene_schema(), root, "", report);
-  if (combination.frame.value_or(0) > 0) return;
+  if (combination.frame && combination.frame->number > 0) return;
   for (const json::Member& member : root.get_if<json::Object>() ? root.object() : json::Object{}) {
     const Value* schema = member_schema(scene_schema(), member.key);
     if (schema && matrix.changes(member.key))
@@ -110,7 +110,7 @@ std::vector<Scene> build_tests(const Matrix& matrix, const BuildContext& context
     }
     if (report.count() > kEnoughErrors || heights > kMostHeights) break;
     scene.id = id + combination.suffix;
-    if (combination.frame) scene.frame = Frame{*combination.frame, combination.rate};
+    scene.frame = combination.frame;
     scene.golden_file = golden_file(context.project, scene.id);
     tests.push_back(std::move(scene));
   }

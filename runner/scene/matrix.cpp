@@ -281,8 +281,7 @@ std::vector<std::size_t> Matrix::choices(std::size_t index) const {
 void Matrix::set_frame(int frame, const std::string& camera, Combination& combination) const {
   combination.problems = frames_->apply(frame, camera, combination.root, combination.aliases);
   combination.suffix += (combination.suffix.empty() ? "@" : ",") + std::string("frame=") + frame_label(frame);
-  combination.frame = frame;
-  combination.rate = frames_->rate();
+  combination.frame = Frame{.number = frame, .count = frames_->count(), .rate = frames_->rate()};
 }
 
 Combination Matrix::at(std::size_t index) const {

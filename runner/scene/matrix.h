@@ -11,6 +11,7 @@
 #include "scene/frames.h"
 #include "scene/json.h"
 #include "scene/report.h"
+#include "scene/scene.h"
 
 namespace gnomon::scene {
 
@@ -19,8 +20,7 @@ struct Combination {
   json::Value root;               ///< without "matrix", "cameras" and "frames"
   std::string suffix;             ///< "@elevation=10,q=2", or "" where the scene makes one test
   Aliases aliases;                ///< see Report::set_aliases
-  std::optional<int> frame;       ///< of a path
-  double rate = 0;                ///< of a path: frames a second
+  std::optional<Frame> frame;     ///< of a path
   std::vector<Problem> problems;  ///< of this one alone
 };
 

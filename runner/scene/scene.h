@@ -143,6 +143,7 @@ using Expectation =
 /// Which frame of a path a scene is.
 struct Frame {
   int number = 0;    ///< from 0
+  int count = 1;     ///< of the path
   double rate = 10;  ///< frames a second, of the preview
 };
 
