@@ -92,8 +92,10 @@ Result<Done> answer_level(const ShadowProgram& with, const Pyramid& pyramid, con
       Result<gl::Texture> uploaded = upload_points(ground, tile, ground.q);
       if (!uploaded) return uploaded.diagnostics();
       points = std::move(uploaded).value();
-      samplers.push_back({.name = "u_ground", .texture = &*points});
     }
+    // The map camera does not read it; but left at unit 0 it would meet a host's samplers of another type
+    // there.
+    samplers.push_back({.name = "u_ground", .texture = points ? &*points : &pyramid.heights});
     const Result<Texels> texels =
         draw_tile(tile, with.program->program, uniforms, std::move(samplers), with.buffers, seconds);
     if (!texels) return texels.diagnostics();
