@@ -90,6 +90,7 @@ std::optional<double> ViewTracer::first_hit(const ViewRay& ray) const {
   };
   int column = patch_at(track.column + t * track.column_rate, surface.width);
   int row = patch_at(track.row + t * track.row_rate, surface.height);
+  bool begins = true;
   bool above = true;
   bool entered = false;  // from a patch with a surface: `above` is known
   while (t <= span.last) {
@@ -103,6 +104,7 @@ std::optional<double> ViewTracer::first_hit(const ViewRay& ray) const {
       const double y = track.row + t * track.row_rate - (at->row - 1);
       const Profile profile = patch.profile(x, y, track.column_rate, track.row_rate);
       const double clearance = patch.height(x, y) - (track.z + t * track.z_rate);
+      if (begins && clearance > 0) return std::nullopt;  // inside the ground
       if (!entered) above = clearance <= 0;
       if (entered && above && clearance > 0) return t;  // rounding at the common edge
       const double slope = profile.linear - track.z_rate;
@@ -112,6 +114,7 @@ std::optional<double> ViewTracer::first_hit(const ViewRay& ray) const {
       above = std::isfinite(exit) && clearance + length * (slope + profile.quadratic * length) <= 0;
     }
     if (!std::isfinite(exit) || exit == span.last) break;  // vertical, and not over the surface; or the end
+    begins = begins && exit <= t;
     // Beyond a hole the entry says anew on which side of the sheet the ray is. A patch of length 0 changes
     // nothing.
     if (exit > t || !at) entered = at.has_value();

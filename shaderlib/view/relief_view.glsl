@@ -121,8 +121,9 @@ GnomonHit gnomon_view_walk(GnomonMap map, GnomonRay ray, bool starts_above, int 
 }
 
 // The point of the surface of level q that a ray from `origin` (metres: x east, y north of the domain's south-west
-// corner, z up) sees along `direction` (any length). The surface is a sheet that is seen from above: a ray that comes
-// from under it meets nothing before it has come out. step_limit: as for the shadow methods.
+// corner, z up) sees along `direction` (any length). The surface is seen from above: a ray that begins, or enters the
+// domain, under it sees nothing; to follow it until it comes out would cost a step for every patch, and no camera stands
+// there. step_limit: as for the shadow methods.
 GnomonHit gnomon_relief_view(GnomonMap map, vec3 origin, vec3 direction, int q, int step_limit) {
   GnomonHit sky = gnomon_hit(vec2(0.0f, 0.0f), 0.0f, 0, GNOMON_VIEW_SKY);
   vec2 start = vec2(origin.x / map.spacing.x, map.domain.y - origin.y / map.spacing.y);
@@ -151,7 +152,8 @@ GnomonHit gnomon_relief_view(GnomonMap map, vec3 origin, vec3 direction, int q, 
   float ground = ray.height;
   ray.height = (origin.z - ray.base) + direction.z * span.first;
   ray.t_end = min(ray.t_end, (span.last - span.first) * fastest);
-  GnomonHit hit = gnomon_view_walk(map, ray, over_hole || ground <= ray.height, q, step_limit);
+  if (!over_hole && ground > ray.height) return sky;
+  GnomonHit hit = gnomon_view_walk(map, ray, true, q, step_limit);
   hit.depth = hit.cause == GNOMON_VIEW_SURFACE ? span.first + hit.depth / fastest : 0.0f;
   return hit;
 }

@@ -81,10 +81,12 @@ TEST(ReliefView, SeesNoGroundAboveBesideAndFromBelow) {
   }
 }
 
-TEST(ReliefView, StaysUndecidedAtItsStepLimitOnly) {
-  // From under the flat ground no block can be passed over: 8 patches to the edge.
-  const auto hit = kFlat.gnomon_relief_view(kFlat.map(), vec3(-1, 4, 4), vec3(1, 0, 0.01F), 0, 2);
-  EXPECT_EQ(hit.cause, GNOMON_VIEW_UNDECIDED);
+TEST(ViewWalk, StaysUndecidedAtItsStepLimitOnly) {
+  // Under the flat ground no block can be passed over: 6 patches to the edge.
+  auto ray = kFlat.gnomon_ray(kFlat.map(), kFlat.gnomon_receiver_at(2, 2, 0), vec3(1, 0, 0.01F), 0);
+  ray.height = -1;
+  EXPECT_EQ(kFlat.gnomon_view_walk(kFlat.map(), ray, false, 0, 2).cause, GNOMON_VIEW_UNDECIDED);
+  EXPECT_EQ(kFlat.gnomon_view_walk(kFlat.map(), ray, false, 0, 100).cause, GNOMON_VIEW_SKY);
 }
 
 TEST(ViewWalk, BeginsUnderTheSurfaceOnlyWhereItIsTold) {
