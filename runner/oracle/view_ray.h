@@ -19,8 +19,9 @@ class ViewTracer {
   explicit ViewTracer(const Surface& surface);
 
   /// The smallest t >= 0 at which origin + t * direction dives under the surface, which is seen from above;
-  /// absent where it does not, and where it begins, or enters the domain, under it. Patches without a surface are passed; a sheet that begins above the
-  /// ray, beyond one, is not seen. Exact in each bilinear patch; steps by integer index.
+  /// absent where it does not, and where it begins, or enters the domain, under it. Patches without a surface
+  /// are passed; a sheet that begins above the ray, beyond one, is not seen. Exact in each bilinear patch;
+  /// steps by integer index.
   [[nodiscard]] std::optional<double> first_hit(const ViewRay& ray) const;
 
  private:

@@ -207,11 +207,12 @@ TEST_F(Mistakes, InSunCameraAndShadow) {
             "z] towards the sun (east, north, up), of any length but zero.");
   EXPECT_EQ(member(R"("sun": {"date": "2024-06-21T12:00Z"})"),
             "s.json:3:9: error: /sun/date: unknown key \"date\"; expected one of \"azimuth\", \"elevation\"");
-  EXPECT_EQ(member(R"("sun": 5)"),
-            "s.json:3:8: error: /sun: expected an object that may hold \"azimuth\", \"elevation\", or an "
-            "object with "
-            "\"direction\", or an object with \"time\", got 5. Where the sun stands: as angles, as a direction "
-            "towards it, or by time and place.");
+  EXPECT_EQ(
+      member(R"("sun": 5)"),
+      "s.json:3:8: error: /sun: expected an object that may hold \"azimuth\", \"elevation\", or an "
+      "object with "
+      "\"direction\", or an object with \"time\", got 5. Where the sun stands: as angles, as a direction "
+      "towards it, or by time and place.");
   EXPECT_EQ(member(R"("camera": {"panorama": {}})"),
             "s.json:3:12: error: /camera/panorama: unknown key \"panorama\"; expected one of \"map\", "
             "\"perspective\", \"orthographic\", \"points\"");
