@@ -60,7 +60,8 @@ bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
 
 TEST(Backends, EveryChannelIsTheSameOnEglAndOsmesa) {
   for (const Backend backend : {Backend::kEgl, Backend::kOsmesa}) {
-    if (const std::string missing = lacks(backend); !missing.empty()) GTEST_SKIP() << missing;
+    // scripts/setup installs both: a machine that lacks one tests nothing here.
+    ASSERT_EQ(lacks(backend), "");
   }
   const std::vector<scene::Scene> asked = scenes();
   const std::vector<image::Image> egl = images_of(Backend::kEgl, asked);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contexts of both back ends, one after the other and side by side. Skips what this machine lacks.
+// Contexts of both back ends, one after the other and side by side. scripts/setup installs what both need.
 #include "gl/context.h"
 
 #include <glad/gl.h>
@@ -16,9 +16,6 @@
 
 namespace gnomon::gl {
 namespace {
-
-#define SKIP_WITHOUT(lacks) \
-  if (const std::string missing = lacks; !missing.empty()) GTEST_SKIP() << missing
 
 Context make(Api api) {
   Result<Context> context = Context::create({.api = api});
@@ -55,14 +52,14 @@ void expect_works_with(EglMeans means) {
 }
 
 TEST(GlContext, EglWithAConfigAndAPixelBufferWhereExtensionsAreMissing) {
-  SKIP_WITHOUT(list_egl().lacks);
+  ASSERT_EQ(list_egl().lacks, "");
   expect_works_with({.no_config = false, .surfaceless = true});
   expect_works_with({.no_config = true, .surfaceless = false});
   expect_works_with({.no_config = false, .surfaceless = false});
 }
 
 TEST(GlContext, EveryEglDeviceIsListedAndTriedByTheSurvey) {
-  SKIP_WITHOUT(list_egl().lacks);
+  ASSERT_EQ(list_egl().lacks, "");
   const Found found = Context::survey();
   ASSERT_GE(found.devices.size(), list_egl().devices.size());
   for (const Device& device : found.devices)
@@ -70,8 +67,8 @@ TEST(GlContext, EveryEglDeviceIsListedAndTriedByTheSurvey) {
 }
 
 TEST(GlContext, BackEndsTakeTurns) {
-  SKIP_WITHOUT(list_egl().lacks);
-  SKIP_WITHOUT(osmesa_lacks());
+  ASSERT_EQ(list_egl().lacks, "");
+  ASSERT_EQ(osmesa_lacks(), "");
   for (int turn = 0; turn < 3; ++turn) {
     for (const Api api : {Api::kEgl, Api::kOsmesa}) {
       const Context context = make(api);
@@ -83,8 +80,8 @@ TEST(GlContext, BackEndsTakeTurns) {
 }
 
 TEST(GlContext, BackEndsStandSideBySideAndCallsGoToTheCurrentOne) {
-  SKIP_WITHOUT(list_egl().lacks);
-  SKIP_WITHOUT(osmesa_lacks());
+  ASSERT_EQ(list_egl().lacks, "");
+  ASSERT_EQ(osmesa_lacks(), "");
   Context egl = make(Api::kEgl);
   // Buffer names count from 1 in each context: what one holds the other must not see.
   GLuint egl_buffer = 0;
@@ -104,7 +101,7 @@ TEST(GlContext, BackEndsStandSideBySideAndCallsGoToTheCurrentOne) {
 }
 
 TEST(GlContext, CurrentContextStaysSoWhileOthersAreTried) {
-  SKIP_WITHOUT(list_egl().lacks);
+  ASSERT_EQ(list_egl().lacks, "");
   const Context context = make(Api::kEgl);
   GLuint buffer = 0;
   glCreateBuffers(1, &buffer);
@@ -115,7 +112,7 @@ TEST(GlContext, CurrentContextStaysSoWhileOthersAreTried) {
 }
 
 TEST(GlContext, TwoOfOneDisplayOutliveEachOther) {
-  SKIP_WITHOUT(list_egl().lacks);
+  ASSERT_EQ(list_egl().lacks, "");
   std::optional<Context> first = make(Api::kEgl);
   Context second = make(Api::kEgl);
   first.reset();
