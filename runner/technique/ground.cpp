@@ -82,6 +82,19 @@ Ground empty_ground(glm::ivec2 size, const scene::Shadow& shadow) {
   return ground;
 }
 
+image::Image lit_image(const Ground& ground) {
+  image::Image image{.width = ground.size.x, .height = ground.size.y, .channels = {}, .attributes = {}};
+  for (const char* name : {"b_shadow", "steps"}) image.channels[name].resize(image.pixels());
+  image.channels["k_shadow"].assign(image.pixels(), 1.0F);
+  image.channels["q"] = ground.q;
+  image.channels["valid"] = ground.valid;
+  if (ground.depth.empty()) return image;
+  image.channels["column"] = ground.column;
+  image.channels["row"] = ground.row;
+  image.channels["depth"] = ground.depth;
+  return image;
+}
+
 Ground map_ground(const scene::MapCamera& camera, const scene::Shadow& shadow,
                   const terrain::HeightMap& map) {
   const glm::ivec2 size =

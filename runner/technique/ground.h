@@ -45,6 +45,10 @@ struct Ground {
 /// Makes pixels invalid that have no surface under them, on the map or on the level that they ask for.
 void leave_out_holes(Ground& ground, const terrain::HeightMap& map);
 
+/// The image of these points before any is asked: lit, in no steps. Channels b_shadow, k_shadow, steps, q,
+/// valid and, but for the map camera, column, row, depth.
+[[nodiscard]] image::Image lit_image(const Ground& ground);
+
 /// No pixel sees ground yet.
 [[nodiscard]] Ground empty_ground(glm::ivec2 size, const scene::Shadow& shadow);
 

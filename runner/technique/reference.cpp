@@ -39,16 +39,9 @@ double k_in_shadow(const scene::Shadow& shadow, double sun_height) {
 
 /// Nothing is asked: lit, and no horizon ahead.
 image::Image empty_image(const Ground& ground) {
-  image::Image image{.width = ground.size.x, .height = ground.size.y, .channels = {}, .attributes = {}};
-  for (const char* name : {"b_shadow", "band", "steps"}) image.channels[name].resize(image.pixels());
-  image.channels["k_shadow"].assign(image.pixels(), 1.0F);
+  image::Image image = lit_image(ground);
+  image.channels["band"].resize(image.pixels());
   image.channels["horizon"].assign(image.pixels(), static_cast<float>(-std::numbers::pi / 2));
-  image.channels["valid"] = ground.valid;
-  image.channels["q"] = ground.q;
-  if (ground.depth.empty()) return image;
-  image.channels["column"] = ground.column;
-  image.channels["row"] = ground.row;
-  image.channels["depth"] = ground.depth;
   return image;
 }
 

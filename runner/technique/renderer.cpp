@@ -22,21 +22,6 @@ Uniforms shadow_uniforms(const Pyramid& pyramid, const scene::Scene& scene, cons
   return uniforms;
 }
 
-/// Nothing in shadow yet.
-image::Image image_of(const Ground& ground) {
-  image::Image image{.width = ground.size.x, .height = ground.size.y, .channels = {}, .attributes = {}};
-  image.channels["b_shadow"].resize(image.pixels());
-  image.channels["k_shadow"].assign(image.pixels(), 1.0F);
-  image.channels["steps"].resize(image.pixels());
-  image.channels["q"] = ground.q;
-  image.channels["valid"] = ground.valid;
-  if (ground.depth.empty()) return image;
-  image.channels["column"] = ground.column;
-  image.channels["row"] = ground.row;
-  image.channels["depth"] = ground.depth;
-  return image;
-}
-
 /// Whether any pixel of the tile asks for level q.
 bool asks_for(const Ground& ground, const Tile& tile, int q) {
   for (int y = 0; y < tile.size.y; ++y) {
@@ -92,10 +77,8 @@ Result<Done> answer_level(const ShadowProgram& with, const Pyramid& pyramid, con
       Result<gl::Texture> uploaded = upload_points(ground, tile, ground.q);
       if (!uploaded) return uploaded.diagnostics();
       points = std::move(uploaded).value();
+      samplers.push_back({.name = "u_ground", .texture = &*points});
     }
-    // The map camera does not read it; but left at unit 0 it would meet a host's samplers of another type
-    // there.
-    samplers.push_back({.name = "u_ground", .texture = points ? &*points : &pyramid.heights});
     const Result<Texels> texels =
         draw_tile(tile, with.program->program, uniforms, std::move(samplers), with.buffers, seconds);
     if (!texels) return texels.diagnostics();
@@ -127,7 +110,7 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyram
   const Technique& technique = *find_technique(scene.shadow.method);
   const Result<const CachedProgram*> program = programs.get(technique.program);
   if (!program) return program.diagnostics();
-  image::Image image = image_of(ground);
+  image::Image image = lit_image(ground);
   double seconds = 0;
   for (const auto& [q, pyramid] : pyramids) {
     ShadowProgram with{.program = *program, .samplers = map_samplers(*pyramid)};
@@ -143,7 +126,7 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyram
 Result<image::Image> render_shadow_with(const ShadowProgram& with, const Pyramid& pyramid,
                                         const scene::Scene& scene, const Ground& ground,
                                         double* draw_seconds) {
-  image::Image image = image_of(ground);
+  image::Image image = lit_image(ground);
   double seconds = 0;
   const Result<Done> answered = answer_level(with, pyramid, scene, ground, image, &seconds);
   if (!answered) return answered.diagnostics();
