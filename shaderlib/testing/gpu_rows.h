@@ -26,6 +26,9 @@ struct Row {
 /// Those of the modules that hold the papers' own algorithms (gpu_rows_papers.cpp).
 [[nodiscard]] std::vector<Row> rows_of_the_papers();
 
+/// Those of the modules in view/ and shading/ (gpu_rows_view.cpp).
+[[nodiscard]] std::vector<Row> rows_of_views();
+
 /// One row a function.
 [[nodiscard]] std::vector<Row> rows();
 
