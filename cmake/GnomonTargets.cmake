@@ -33,7 +33,7 @@ function(gnomon_library)
   target_link_libraries(gnomon_${arg_NAME} PUBLIC ${arg_PUBLIC}
                                               PRIVATE $<BUILD_INTERFACE:gnomon_options> ${arg_PRIVATE})
   if(arg_QUICK)
-    target_link_libraries(gnomon_${arg_NAME} PRIVATE gnomon_quick_to_compile)
+    target_link_libraries(gnomon_${arg_NAME} PRIVATE $<BUILD_INTERFACE:gnomon_quick_to_compile>)
   endif()
 endfunction()
 
