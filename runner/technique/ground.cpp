@@ -57,12 +57,19 @@ std::set<int> Ground::levels() const {
   return levels;
 }
 
+std::vector<std::size_t> Ground::asking(int level) const {
+  std::vector<std::size_t> asking;
+  for (std::size_t i = 0; i < pixels(); ++i) {
+    if (valid[i] != 0 && static_cast<int>(q[i]) == level) asking.push_back(i);
+  }
+  return asking;
+}
+
 void leave_out_holes(Ground& ground, const terrain::HeightMap& map) {
   if (!map.holes) return;
   for (const int q : ground.levels()) {
     const terrain::HeightMap level = terrain::level(map, q);
-    for (std::size_t i = 0; i < ground.pixels(); ++i) {
-      if (ground.valid[i] == 0 || static_cast<int>(ground.q[i]) != q) continue;
+    for (const std::size_t i : ground.asking(q)) {
       const double column = double{ground.column[i]};
       const double row = double{ground.row[i]};
       const bool surface = terrain::has_surface(map, column, row) &&

@@ -40,6 +40,8 @@ struct Ground {
   [[nodiscard]] bool on_samples() const { return texels_per_pixel == glm::vec2(1.0F, 1.0F); }
   /// The levels that valid pixels ask for.
   [[nodiscard]] std::set<int> levels() const;
+  /// The valid pixels that ask for level q, by their index.
+  [[nodiscard]] std::vector<std::size_t> asking(int level) const;
 };
 
 /// Makes pixels invalid that have no surface under them, on the map or on the level that they ask for.

@@ -45,21 +45,15 @@ image::Image empty_image(const Ground& ground) {
   return image;
 }
 
-/// The pixels that ask for one level, and the points that they ask for.
-struct Asked {
-  std::vector<std::size_t> pixels;
+std::vector<oracle::Receiver> receivers_of(const Ground& ground, const std::vector<std::size_t>& pixels,
+                                           int level, double height) {
   std::vector<oracle::Receiver> receivers;
-};
-
-Asked asked_of(const Ground& ground, int q, int level, double height) {
-  Asked asked;
-  for (std::size_t i = 0; i < ground.pixels(); ++i) {
-    if (ground.valid[i] == 0 || static_cast<int>(ground.q[i]) != q) continue;
-    asked.pixels.push_back(i);
-    asked.receivers.push_back(
+  receivers.reserve(pixels.size());
+  for (const std::size_t i : pixels) {
+    receivers.push_back(
         {std::ldexp(double{ground.column[i]}, -level), std::ldexp(double{ground.row[i]}, -level), height});
   }
-  return asked;
+  return receivers;
 }
 
 /// Answers the pixels that ask for level q, from level `level`.
@@ -67,15 +61,17 @@ void answer(const scene::Scene& scene, const terrain::HeightMap& base, const Gro
             image::Image& image) {
   const terrain::HeightMap map = terrain::level(base, level);
   const oracle::Surface surface = surface_of(map);
-  const Asked asked = asked_of(ground, q, level, scene.shadow.receiver_height);
+  const std::vector<std::size_t> pixels = ground.asking(q);
+  const std::vector<oracle::Receiver> receivers =
+      receivers_of(ground, pixels, level, scene.shadow.receiver_height);
   const std::vector<double> horizons =
-      oracle::horizons(surface, asked.receivers, oracle::ground_direction(scene.sun.azimuth));
+      oracle::horizons(surface, receivers, oracle::ground_direction(scene.sun.azimuth));
   const double band = oracle::band_width(level == 0 && ground.on_samples(), scene.shadow.receiver_height,
                                          oracle::steepest_slope(surface));
-  const std::vector<char> grazes = grazes_holes(base, surface, asked.receivers, scene.sun, horizons);
+  const std::vector<char> grazes = grazes_holes(base, surface, receivers, scene.sun, horizons);
   const auto k_shadow = static_cast<float>(k_in_shadow(scene.shadow, to_sun(scene.sun).z));
   for (std::size_t i = 0; i < horizons.size(); ++i) {
-    const std::size_t pixel = asked.pixels[i];
+    const std::size_t pixel = pixels[i];
     const bool shadow = oracle::in_shadow(horizons[i], scene.sun.elevation);
     const bool in_band = oracle::in_band(horizons[i], scene.sun.elevation, band) || grazes[i] != 0;
     image.channels["b_shadow"][pixel] = shadow ? 1.0F : 0.0F;

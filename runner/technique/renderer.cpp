@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "technique/renderer.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "technique/sun.h"
 #include "technique/technique.h"
@@ -22,70 +24,97 @@ Uniforms shadow_uniforms(const Pyramid& pyramid, const scene::Scene& scene, cons
   return uniforms;
 }
 
-/// Whether any pixel of the tile asks for level q.
-bool asks_for(const Ground& ground, const Tile& tile, int q) {
-  for (int y = 0; y < tile.size.y; ++y) {
-    for (int x = 0; x < tile.size.x; ++x) {
-      const std::size_t i = ground.index(tile.first + glm::ivec2(x, y));
-      if (ground.valid[i] != 0 && static_cast<int>(ground.q[i]) == q) return true;
-    }
-  }
-  return false;
-}
-
-Diagnostic step_bound_reached(const scene::Scene& scene, int limit, glm::ivec2 pixel) {
+Diagnostic step_bound_reached(const scene::Scene& scene, int limit, std::size_t pixel, int image_width) {
+  const auto width = static_cast<std::size_t>(image_width);
   return {.file = scene.file,
-          .message = "the ray of pixel (" + std::to_string(pixel.x) + ", " + std::to_string(pixel.y) +
-                     ") reached the bound of " + std::to_string(limit) +
+          .message = "the ray of pixel (" + std::to_string(pixel % width) + ", " +
+                     std::to_string(pixel / width) + ") reached the bound of " + std::to_string(limit) +
                      " steps undecided; this is a fault of the method '" + scene.shadow.method +
                      "', please report it with this scene",
           .failure = Failure::kFailed};
 }
 
-/// Copies what a draw of level q answered (b_shadow, k_shadow, steps, cause) into the image's channels.
-Result<Done> store(const Texels& texels, const Tile& tile, const Ground& ground, const Pyramid& pyramid,
-                   const scene::Scene& scene, image::Image& image) {
-  std::vector<float>& b_shadow = image.channels["b_shadow"];
-  std::vector<float>& k_shadow = image.channels["k_shadow"];
-  std::vector<float>& steps = image.channels["steps"];
-  for (int y = 0; y < tile.size.y; ++y) {
-    for (int x = 0; x < tile.size.x; ++x) {
-      const glm::ivec2 pixel = tile.first + glm::ivec2(x, y);
-      const std::size_t i = ground.index(pixel);
-      if (ground.valid[i] == 0 || static_cast<int>(ground.q[i]) != pyramid.q) continue;
-      const float* texel = texels.at(x, y);
-      if (texel[3] == kUndecided) return step_bound_reached(scene, step_limit(pyramid), pixel);
-      b_shadow[i] = texel[0];
-      k_shadow[i] = texel[1];
-      steps[i] = texel[2];
+/// What a draw answered for a pixel: b_shadow, k_shadow, steps, cause.
+Result<Done> store(const float* answer, std::size_t pixel, const Pyramid& pyramid, const scene::Scene& scene,
+                   image::Image& image) {
+  if (answer[3] == kUndecided) return step_bound_reached(scene, step_limit(pyramid), pixel, image.width);
+  image.channels["b_shadow"][pixel] = answer[0];
+  image.channels["k_shadow"][pixel] = answer[1];
+  image.channels["steps"][pixel] = answer[2];
+  return Done{};
+}
+
+/// The points of these pixels, row by row of a texture that is `width` texels wide.
+Result<gl::Texture> upload(const Ground& ground, std::span<const std::size_t> pixels, glm::ivec2 size) {
+  std::vector<float> texels(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    texels[4 * i] = ground.column[pixels[i]];
+    texels[4 * i + 1] = ground.row[pixels[i]];
+  }
+  Result<gl::Texture> texture = gl::Texture::create(gl::Format::kRgba32F, {size.x, size.y});
+  if (texture) texture->upload(texels);
+  return texture;
+}
+
+/// What every draw of one level takes.
+struct Level {
+  const ShadowProgram& with;
+  const Pyramid& pyramid;
+  const scene::Scene& scene;
+  const Ground& ground;
+  const Uniforms& uniforms;
+};
+
+/// Answers the map camera, whose points the program forms itself, tile by tile.
+Result<Done> answer_tiles(const Level& level, image::Image& image, double* seconds) {
+  for (const Tile& tile : tiles_of(level.ground.size)) {
+    const Result<Texels> texels = draw_tile(tile, level.with.program->program, level.uniforms,
+                                            level.with.samplers, level.with.buffers, seconds);
+    if (!texels) return texels.diagnostics();
+    for (int y = 0; y < tile.size.y; ++y) {
+      for (int x = 0; x < tile.size.x; ++x) {
+        const std::size_t pixel = level.ground.index(tile.first + glm::ivec2(x, y));
+        if (level.ground.valid[pixel] == 0) continue;
+        const Result<Done> stored = store(texels->at(x, y), pixel, level.pyramid, level.scene, image);
+        if (!stored) return stored;
+      }
     }
   }
   return Done{};
 }
 
-/// Answers the pixels that ask for the pyramid's level.
+/// Answers the pixels that ask for the pyramid's level, as a list without gaps: where neighbours ask for
+/// different levels, a draw over the image would walk for pixels that it does not answer.
+Result<Done> answer_list(const Level& level, image::Image& image, double* seconds) {
+  const std::vector<std::size_t> asking = level.ground.asking(level.pyramid.q);
+  constexpr std::size_t kMost = std::size_t{kTile} * kTile;
+  for (std::size_t first = 0; first < asking.size(); first += kMost) {
+    const std::span pixels = std::span(asking).subspan(first, std::min(kMost, asking.size() - first));
+    const int width = static_cast<int>(std::min<std::size_t>(pixels.size(), kTile));
+    const int height = (static_cast<int>(pixels.size()) + width - 1) / width;
+    const Result<gl::Texture> points = upload(level.ground, pixels, {width, height});
+    if (!points) return points.diagnostics();
+    std::vector<gl::Sampler> samplers = level.with.samplers;
+    samplers.push_back({.name = "u_points", .texture = &points.value()});
+    const Result<Texels> texels =
+        draw_tile({.first = {}, .size = {width, height}}, level.with.program->program, level.uniforms,
+                  std::move(samplers), level.with.buffers, seconds);
+    if (!texels) return texels.diagnostics();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+      const Result<Done> stored = store(&texels->values[4 * i], pixels[i], level.pyramid, level.scene, image);
+      if (!stored) return stored;
+    }
+  }
+  return Done{};
+}
+
 Result<Done> answer_level(const ShadowProgram& with, const Pyramid& pyramid, const scene::Scene& scene,
                           const Ground& ground, image::Image& image, double* seconds) {
   Uniforms uniforms = shadow_uniforms(pyramid, scene, ground);
   uniforms.insert(uniforms.end(), with.uniforms.begin(), with.uniforms.end());
+  const Level level{with, pyramid, scene, ground, uniforms};
   const bool is_map = ground.texels_per_pixel.x > 0;
-  for (const Tile& tile : tiles_of(ground.size)) {
-    if (!is_map && !asks_for(ground, tile, pyramid.q)) continue;
-    std::vector<gl::Sampler> samplers = with.samplers;
-    std::optional<gl::Texture> points;
-    if (!is_map) {
-      Result<gl::Texture> uploaded = upload_points(ground, tile, ground.q);
-      if (!uploaded) return uploaded.diagnostics();
-      points = std::move(uploaded).value();
-      samplers.push_back({.name = "u_ground", .texture = &*points});
-    }
-    const Result<Texels> texels =
-        draw_tile(tile, with.program->program, uniforms, std::move(samplers), with.buffers, seconds);
-    if (!texels) return texels.diagnostics();
-    if (const Result<Done> stored = store(*texels, tile, ground, pyramid, scene, image); !stored)
-      return stored.diagnostics();
-  }
-  return Done{};
+  return is_map ? answer_tiles(level, image, seconds) : answer_list(level, image, seconds);
 }
 
 void tell_origin(const ShadowProgram& with, image::Image& image) {

@@ -5,6 +5,5 @@
 #include "shadow_pass.glsl"
 
 void main() {
-  if (!pass_asks()) discard;
   write_shadow(gnomon_multilevel_literal(pass_map(), pass_receiver(), u_to_sun, u_q, u_step_limit));
 }

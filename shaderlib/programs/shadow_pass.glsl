@@ -7,8 +7,8 @@
 #include <gnomon/core/shadow.glsl>
 #include <gnomon/relief/shade.glsl>
 
-uniform vec2 u_texels_per_pixel;  // of the base map, map camera; 0 where u_ground tells the points
-uniform sampler2D u_ground;       // a texel a pixel of the tile: column, row (texels of the base map), valid, q
+uniform vec2 u_texels_per_pixel;  // of the base map, map camera; 0 where u_points tells the points
+uniform sampler2D u_points;       // column, row (texels of the base map)
 uniform float u_level_scale;      // texels of H_q in one of the base map: 2^-q
 uniform float u_receiver_height;  // metres above H_q
 uniform vec3 u_to_sun;            // unit vector, x east, y north, z up
@@ -17,23 +17,15 @@ uniform vec2 u_k;                 // k_dark, k_bright
 // b_shadow, k_shadow, steps, cause (GNOMON_CAUSE_...)
 layout(location = 0) out vec4 o_shadow;
 
-// Column, row, valid and q of the pixel. The map camera's pixel (x, y) looks at s = (x + 0.5) / width,
-// t = (y + 0.5) / height of the map, row 0 in the north.
-vec4 pass_ground() {
-  if (u_texels_per_pixel.x > 0.0) {
-    return vec4((gl_FragCoord.xy + u_first_pixel) * u_texels_per_pixel, 1.0, float(u_q));
-  }
-  return texelFetch(u_ground, ivec2(gl_FragCoord.xy), 0);
-}
-
-// Whether this draw answers for the pixel: there is ground in it, and its level is the one that is bound.
-bool pass_asks() {
-  vec4 ground = pass_ground();
-  return ground.z != 0.0 && int(ground.w) == u_q;
+// Where the shadow is asked, texels of the base map. The map camera's pixel (x, y) looks at s = (x + 0.5) / width,
+// t = (y + 0.5) / height of the map, row 0 in the north; other points are a list, a texel each.
+vec2 pass_point() {
+  if (u_texels_per_pixel.x > 0.0) return (gl_FragCoord.xy + u_first_pixel) * u_texels_per_pixel;
+  return texelFetch(u_points, ivec2(gl_FragCoord.xy), 0).xy;
 }
 
 GnomonReceiver pass_receiver() {
-  vec2 at = pass_ground().xy * u_level_scale;
+  vec2 at = pass_point() * u_level_scale;
   return gnomon_receiver_at(at.x, at.y, u_receiver_height);
 }
 
