@@ -8,9 +8,12 @@ namespace {
 
 class Framebuffer {
  public:
-  Framebuffer(const Texture& target, int level) {
+  explicit Framebuffer(const Pass& pass) {
     glCreateFramebuffers(1, &name_);
-    glNamedFramebufferTexture(name_, GL_COLOR_ATTACHMENT0, target.name(), level);
+    if (pass.target)
+      glNamedFramebufferTexture(name_, GL_COLOR_ATTACHMENT0, pass.target->name(), pass.target_level);
+    if (!pass.target) glNamedFramebufferDrawBuffer(name_, GL_NONE);
+    if (pass.mesh) glNamedFramebufferTexture(name_, GL_DEPTH_ATTACHMENT, pass.mesh->depth->name(), 0);
   }
   Framebuffer(const Framebuffer&) = delete;
   Framebuffer& operator=(const Framebuffer&) = delete;
@@ -61,20 +64,64 @@ void bind_inputs(const Pass& pass) {
   }
 }
 
+void draw_pixels(const Pass& pass) {
+  const Size size = pass.target->size(pass.target_level);
+  glViewport(0, 0, size.width, size.height);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/// Depth and culling are on only while it lives.
+class DepthState {
+ public:
+  explicit DepthState(Faces faces) {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glFrontFace(GL_CW);
+    glCullFace(faces == Faces::kBack ? GL_FRONT : GL_BACK);
+    if (faces != Faces::kAll) glEnable(GL_CULL_FACE);
+  }
+  DepthState(const DepthState&) = delete;
+  DepthState& operator=(const DepthState&) = delete;
+  ~DepthState() {
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  }
+};
+
+void clear_window(const Framebuffer& framebuffer, const Mesh& mesh, bool with_colour) {
+  constexpr GLfloat kFarthest = 0;
+  glScissor(mesh.first_texel.x, mesh.first_texel.y, mesh.size.x, mesh.size.y);
+  glEnable(GL_SCISSOR_TEST);
+  glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &kFarthest);
+  if (with_colour) glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, &mesh.background.x);
+  glDisable(GL_SCISSOR_TEST);
+}
+
+void draw_mesh(const Mesh& mesh) {
+  const DepthState state(mesh.faces);
+  glViewport(mesh.first_texel.x, mesh.first_texel.y, mesh.size.x, mesh.size.y);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, mesh.strip_vertices, mesh.strips);
+}
+
 }  // namespace
 
 Result<Done> draw(const Pass& pass) {
-  const Framebuffer framebuffer(*pass.target, pass.target_level);
+  const Framebuffer framebuffer(pass);
   if (!framebuffer.complete()) {
     return Diagnostic{.message = "the OpenGL driver cannot render to a float texture",
                       .failure = Failure::kMachine};
   }
-  const Size size = pass.target->size(pass.target_level);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
-  glViewport(0, 0, size.width, size.height);
   glUseProgram(pass.program->name());
   bind_inputs(pass);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (pass.mesh) {
+    clear_window(framebuffer, *pass.mesh, pass.target != nullptr);
+    draw_mesh(*pass.mesh);
+  } else {
+    draw_pixels(pass);
+  }
   glFinish();
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return Done{};

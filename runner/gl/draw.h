@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One full-screen pass: a program, its inputs, and the texture level it fills.
+// One pass: a program, its inputs, and the texture level that it fills, with every pixel or with a mesh.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -30,16 +31,32 @@ struct BufferInput {
   const Buffer* buffer = nullptr;
 };
 
+enum class Faces { kAll, kFront, kBack };
+
+/// A grid of triangles, drawn as instances of one strip each: the program places vertex gl_VertexID of strip
+/// gl_InstanceID, whose even vertices lie on the strip's first side. The nearest has the greatest depth;
+/// windows grow downward, so that triangles which turn clockwise there are the front ones.
+struct Mesh {
+  int strips = 0;
+  int strip_vertices = 0;
+  Faces faces = Faces::kAll;      ///< that are drawn
+  const Texture* depth = nullptr;  ///< kDepth32F; cleared in the window before
+  glm::ivec2 first_texel{};        ///< of the window
+  glm::ivec2 size{};               ///< of the window, texels
+  glm::vec4 background{};          ///< colour where no triangle lies
+};
+
 struct Pass {
   const Program* program = nullptr;
   std::vector<std::pair<std::string, Uniform>> uniforms;  ///< a name that the program does not use is ignored
   std::vector<Sampler> samplers;                          ///< likewise
   std::vector<BufferInput> buffers{};                     ///< likewise
-  const Texture* target = nullptr;
+  const Texture* target = nullptr;                        ///< null: only depth is drawn
   int target_level = 0;
+  std::optional<Mesh> mesh{};  ///< instead of every pixel of the target
 };
 
-/// Draws every pixel of the target and waits until it is drawn. Long images are drawn in tiles: a hardware
+/// Draws and waits until it is drawn. Long images are drawn in tiles: a hardware
 /// driver resets a context whose single draw takes seconds. Fails with kMachine on any GL error.
 [[nodiscard]] Result<Done> draw(const Pass& pass);
 

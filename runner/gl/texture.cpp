@@ -33,6 +33,8 @@ GlFormat gl_format(Format format) {
       return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 1};
     case Format::kRgba8:
       return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::kDepth32F:
+      return {GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 1};
   }
   return {GL_R32F, GL_RED, GL_FLOAT, 1};
 }

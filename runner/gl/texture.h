@@ -16,7 +16,8 @@ enum class Format {
   kRgba32F,
   kR16,    ///< 0..65535, read as 0..1
   kR16Ui,  ///< 0..65535, read as integers
-  kRgba8   ///< 0..255, read as 0..1; linear, not sRGB
+  kRgba8,  ///< 0..255, read as 0..1; linear, not sRGB
+  kDepth32F  ///< what meshes are drawn with; read as floats
 };
 
 struct Size {

@@ -6,6 +6,7 @@
 
 #include "scene/build_camera.h"
 #include "scene/build_ground.h"
+#include "scene/build_shadow.h"
 #include "scene/build_sun.h"
 #include "scene/suggest.h"
 #include "scene/values.h"
@@ -16,17 +17,6 @@ namespace {
 
 using json::child;
 using json::Value;
-
-void read_number(const Value& object, const char* key, double& number) {
-  if (const Value* value = object.find(key)) number = value->number();
-}
-
-/// Reports a name that is not among the known ones.
-void check_name(const std::string& noun, const std::string& name, const std::vector<std::string>& known,
-                json::Place place, const std::string& pointer, Report& report) {
-  if (std::find(known.begin(), known.end(), name) != known.end()) return;
-  report.error(place, pointer, unknown_name(noun, name, known));
-}
 
 void check_channel(const json::Member& member, const std::string& pointer, const Vocabulary& vocabulary,
                    Report& report) {
@@ -124,23 +114,6 @@ Terrain read_terrain(const Value& value, const BuildContext& context, std::strin
   return terrain;
 }
 
-Shadow read_shadow(const Value* value, const Vocabulary& vocabulary, Report& report) {
-  Shadow shadow;
-  if (!value) return shadow;
-  if (const Value* method = value->find("method")) {
-    shadow.method = method->text();
-    check_name("shadow method", shadow.method, vocabulary.methods, method->place, "/shadow/method", report);
-  }
-  if (const Value* q = value->find("q")) {
-    shadow.q = q->get_if<std::string>() ? std::nullopt : std::optional(integer_of(*q));  // else "auto"
-  }
-  if (const Value* most = value->find("max_anisotropy")) shadow.max_anisotropy = integer_of(*most);
-  read_number(*value, "k_dark", shadow.k_dark);
-  read_number(*value, "k_bright", shadow.k_bright);
-  read_number(*value, "receiver_height", shadow.receiver_height);
-  return shadow;
-}
-
 Expectation read_golden(const Value& value, const std::string& pointer, const Vocabulary& vocabulary,
                         Report& report) {
   GoldenExpectation golden;
@@ -235,20 +208,10 @@ std::string canonical_json(const Scene& scene, const std::string& file_below_roo
     terrain.set("spacing", pair(scene.terrain.spacing.value_or(std::array{1.0, 1.0})));
   if (scene.terrain.vertical_scale || has_default)
     terrain.set("vertical_scale", {scene.terrain.vertical_scale.value_or(1.0)});
-  Value shadow = object({{"method", {scene.shadow.method}},
-                         {"k_dark", {scene.shadow.k_dark}},
-                         {"k_bright", {scene.shadow.k_bright}},
-                         {"receiver_height", {scene.shadow.receiver_height}}});
-  if (scene.shadow.q) {
-    shadow.set("q", {std::int64_t{*scene.shadow.q}});
-  } else {
-    shadow.set("q", {std::string("auto")});
-    shadow.set("max_anisotropy", {std::int64_t{scene.shadow.max_anisotropy}});
-  }
   Value canonical = object({{"terrain", terrain},
                             {"sun", canonical_sun(scene.sun)},
                             {"camera", canonical_camera(scene.camera)},
-                            {"shadow", shadow}});
+                            {"shadow", canonical_shadow(scene.shadow)}});
   // The map camera shows no ground: the section does not determine its image.
   if (!std::get_if<MapCamera>(&scene.camera)) canonical.set("ground", canonical_ground(scene.ground));
   return dump(canonical);

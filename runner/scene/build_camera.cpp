@@ -21,6 +21,17 @@ MapCamera read_map(const Value& value) {
   return camera;
 }
 
+std::optional<MeshSurface> read_surface(const Value& value) {
+  if (value.get_if<std::string>()) {
+    return value.text() == "mesh" ? std::optional(MeshSurface{}) : std::nullopt;
+  }
+  const Value& mesh = *value.find("mesh");
+  MeshSurface surface;
+  if (const Value* step = mesh.find("step")) surface.step = integer_of(*step);
+  if (const Value* cull = mesh.find("cull_back_faces")) surface.cull_back_faces = std::get<bool>(cull->data);
+  return surface;
+}
+
 ViewCamera read_view(const Value& value, ViewCamera::Projection projection, Report& report) {
   const bool perspective = projection == ViewCamera::Projection::kPerspective;
   ViewCamera camera{
@@ -28,6 +39,7 @@ ViewCamera read_view(const Value& value, ViewCamera::Projection projection, Repo
   if (const Value* extent = value.find(perspective ? "fov" : "height")) camera.extent = extent->number();
   if (const Value* size = value.find("size")) camera.size = integer_pair_of(*size);
   if (const Value* samples = value.find("samples")) camera.samples = integer_of(*samples);
+  if (const Value* surface = value.find("surface")) camera.mesh = read_surface(*surface);
   if (camera.eye == camera.target) {
     report.error(value.find("target")->place,
                  std::string("/camera/") + (perspective ? kPerspective : kOrthographic) + "/target",
@@ -39,6 +51,15 @@ ViewCamera read_view(const Value& value, ViewCamera::Projection projection, Repo
 PointsCamera read_points(const Value& value, const BuildContext& context, Report& report) {
   const InsideFile inside = inside_file(*value.find("file"), "/camera/points/file", context, report);
   return {inside.path, inside.below_root};
+}
+
+Value canonical_surface(const MeshSurface& surface) {
+  Value mesh{json::Object{}};
+  mesh.set("step", {std::int64_t{surface.step}});
+  mesh.set("cull_back_faces", {surface.cull_back_faces});
+  Value value{json::Object{}};
+  value.set("mesh", std::move(mesh));
+  return value;
 }
 
 struct Canonical {
@@ -55,6 +76,7 @@ struct Canonical {
     view.set(perspective ? "fov" : "height", {camera.extent});
     view.set("size", list_of(camera.size));
     view.set("samples", {std::int64_t{camera.samples}});
+    if (camera.mesh) view.set("surface", canonical_surface(*camera.mesh));
     return named(perspective ? kPerspective : kOrthographic, std::move(view));
   }
   Value operator()(const PointsCamera& camera) const {

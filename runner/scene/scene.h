@@ -68,6 +68,12 @@ struct MapCamera {
   std::optional<std::array<int, 2>> size;  ///< width, height in pixels
 };
 
+/// The ground drawn as triangles: a node on every `step`-th sample.
+struct MeshSurface {
+  int step = 1;
+  bool cull_back_faces = true;
+};
+
 /// A camera somewhere in the world; up is +z, or north where it looks straight up or down.
 struct ViewCamera {
   enum class Projection { kPerspective, kOrthographic };
@@ -77,6 +83,7 @@ struct ViewCamera {
   double extent = 45.0;               ///< of the image from top to bottom: degrees (perspective) or metres
   std::array<int, 2> size{640, 360};  ///< width, height in pixels
   int samples = 1;                    ///< a pixel
+  std::optional<MeshSurface> mesh{};  ///< absent: the bilinear surface itself
 };
 
 /// Asks again at the channels `column` and `row` of another image.
@@ -87,6 +94,21 @@ struct PointsCamera {
 
 using Camera = std::variant<MapCamera, ViewCamera, PointsCamera>;
 
+/// Of the method cascaded_shadow_maps.
+struct Cascades {
+  enum class Faces { kAll, kFront, kBack };
+  int count = 4;          ///< 1..4
+  int size = 2048;        ///< texels a side of each
+  double split = 0.75;    ///< 0: slices of equal depth; 1: of equal ratio
+  std::optional<double> distance{};  ///< metres from the eye beyond which nothing is shadowed; absent: all
+  double bias = 0.5;        ///< texels
+  double slope_bias = 1.0;  ///< texels for each tangent of the angle between sun and normal
+  int filter = 3;           ///< texels a side: 1, 3, 5 or 7
+  bool stable = true;       ///< slices keep their size and snap to whole texels when the camera turns or moves
+  Faces faces = Faces::kAll;  ///< that are drawn into the maps
+  int step = 1;               ///< of the mesh, samples
+};
+
 struct Shadow {
   std::string method = "multilevel";
   /// Level of detail; absent ("auto"): for each pixel by Algo 1 of the 2022 paper.
@@ -96,6 +118,7 @@ struct Shadow {
   double k_dark = 0.2;
   double k_bright = 0.6;
   double receiver_height = 0.0;  ///< metres above the surface of the level, >= 0
+  Cascades cascades;
 };
 
 using Colour = std::array<double, 3>;  ///< linear red, green, blue, 0..1

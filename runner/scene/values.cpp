@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "scene/suggest.h"
+
 namespace gnomon::scene {
 
 int integer_of(const json::Value& value) {
@@ -17,6 +19,20 @@ int integer_of(const json::Value& value) {
 
 std::array<int, 2> integer_pair_of(const json::Value& value) {
   return {integer_of(value.array()[0]), integer_of(value.array()[1])};
+}
+
+void read_number(const json::Value& object, const char* key, double& number) {
+  if (const json::Value* value = object.find(key)) number = value->number();
+}
+
+void read_integer(const json::Value& object, const char* key, int& number) {
+  if (const json::Value* value = object.find(key)) number = integer_of(*value);
+}
+
+void check_name(const std::string& noun, const std::string& name, const std::vector<std::string>& known,
+                json::Place place, const std::string& pointer, Report& report) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  report.error(place, pointer, unknown_name(noun, name, known));
 }
 
 double compass(double degrees) {

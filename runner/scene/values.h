@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "scene/build.h"
 #include "scene/json.h"
@@ -16,6 +17,14 @@ namespace gnomon::scene {
 
 [[nodiscard]] int integer_of(const json::Value& value);
 [[nodiscard]] std::array<int, 2> integer_pair_of(const json::Value& value);
+
+/// The member `key` of an object, where it is there.
+void read_number(const json::Value& object, const char* key, double& number);
+void read_integer(const json::Value& object, const char* key, int& number);
+
+/// Reports a name that is not among the known ones.
+void check_name(const std::string& noun, const std::string& name, const std::vector<std::string>& known,
+                json::Place place, const std::string& pointer, Report& report);
 
 /// The angle in [0, 360) that is as many degrees but for whole turns.
 [[nodiscard]] double compass(double degrees);

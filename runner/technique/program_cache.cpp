@@ -8,18 +8,19 @@
 #include "technique/hash.h"
 
 namespace gnomon::technique {
-Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
+Result<CachedProgram> ProgramCache::make(const std::string& fragment,
+                                                 const std::string& vertex_stage) const {
   const auto path = [&](const std::string& name) {
     return (std::filesystem::path(options_.library_directory) / name).lexically_normal().string();
   };
-  for (const char* needed : {"programs/fullscreen.vert", fragment.c_str()}) {
+  for (const std::string& needed : {vertex_stage, fragment}) {
     if (std::error_code error; std::filesystem::exists(path(needed), error)) continue;
     return Diagnostic{.file = path(needed),
                       .message = "missing: the shader library at " + options_.library_directory +
                                  " is incomplete; install gnomon again, or build it from its source tree",
                       .failure = Failure::kMachine};
   }
-  const Result<compiler::Compiled> vertex = compiler::build(path("programs/fullscreen.vert"), options_);
+  const Result<compiler::Compiled> vertex = compiler::build(path(vertex_stage), options_);
   if (!vertex) return vertex.diagnostics();
   const Result<compiler::Compiled> pixel = compiler::build(path(fragment), options_);
   if (!pixel) return pixel.diagnostics();
@@ -29,9 +30,9 @@ Result<CachedProgram> ProgramCache::make(const std::string& fragment) const {
                        hash_text(vertex->output + pixel->output)};
 }
 
-Result<const CachedProgram*> ProgramCache::get(const std::string& fragment) {
+Result<const CachedProgram*> ProgramCache::get(const std::string& fragment, const std::string& vertex) {
   if (const auto it = programs_.find(fragment); it != programs_.end()) return &it->second;
-  Result<CachedProgram> made = make(fragment);
+  Result<CachedProgram> made = make(fragment, vertex);
   if (!made) return made.diagnostics();
   return &programs_.emplace(fragment, std::move(made).value()).first->second;
 }

@@ -24,15 +24,16 @@ class ProgramCache {
  public:
   explicit ProgramCache(compiler::Options options) : options_(std::move(options)) {}
 
-  /// `fragment` is a path below the shader library, "programs/multilevel.frag", or an absolute one. Fails
-  /// with what is wrong in the shader, at its own file and line.
-  [[nodiscard]] Result<const CachedProgram*> get(const std::string& fragment);
+  /// `fragment` is a path below the shader library, "programs/multilevel.frag", or an absolute one; so is
+  /// `vertex`. Fails with what is wrong in the shader, at its own file and line.
+  [[nodiscard]] Result<const CachedProgram*> get(const std::string& fragment,
+                                                 const std::string& vertex = "programs/fullscreen.vert");
 
  private:
-  [[nodiscard]] Result<CachedProgram> make(const std::string& fragment) const;
+  [[nodiscard]] Result<CachedProgram> make(const std::string& fragment, const std::string& vertex) const;
 
   compiler::Options options_;
-  std::map<std::string, CachedProgram> programs_;
+  std::map<std::string, CachedProgram> programs_;  ///< by fragment program, each of which has one vertex program
 };
 
 }  // namespace gnomon::technique

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 #include <utility>
 
 #include "gl/draw.h"
@@ -30,6 +31,15 @@ gl::Size extrema_size(glm::ivec2 cells, int levels) {
 int level_count(glm::ivec2 patches) {
   const auto longest = static_cast<unsigned>(std::max(patches.x, patches.y));
   return std::clamp(static_cast<int>(std::bit_width(longest - 1)), 1, kTopLevel);
+}
+
+/// 0 where the map has no data at all.
+float lowest_sample(const terrain::HeightMap& base) {
+  float lowest = std::numeric_limits<float>::max();
+  for (const float sample : base.samples) {
+    if (sample != terrain::kNoSample) lowest = std::min(lowest, sample);
+  }
+  return lowest < std::numeric_limits<float>::max() ? lowest : 0.0F;
 }
 
 Result<gl::Texture> upload(const terrain::HeightMap& base) {
@@ -123,7 +133,8 @@ Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& 
                  .size = {size.width, size.height},
                  .domain = glm::vec2(glm::dvec2(base.domain_width, base.domain_height) * scale),
                  .spacing = glm::vec2(glm::dvec2(base.spacing_x, base.spacing_y) / scale),
-                 .highest = *std::max_element(top.begin(), top.end())};
+                 .highest = *std::max_element(top.begin(), top.end()),
+                 .lowest = lowest_sample(base)};
 }
 
 }  // namespace gnomon::technique

@@ -23,7 +23,8 @@ struct Pyramid {
   glm::ivec2 size{};    ///< samples of H_q
   glm::vec2 domain{};   ///< texels of H_q
   glm::vec2 spacing{};  ///< metres a texel of H_q
-  float highest = 0;    ///< metres
+  float highest = 0;    ///< sample, metres
+  float lowest = 0;     ///< of the base map, metres
 
   [[nodiscard]] int top_level() const { return extrema.levels(); }
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "technique/cascades.h"
 #include "technique/sun.h"
 #include "technique/technique.h"
 #include "technique/tiles.h"
@@ -132,6 +133,19 @@ void add_literal_extrema(const Pyramid& pyramid, ShadowProgram& with) {
   with.uniforms.emplace_back("u_map_top_level", levels);  // in place of that of the block maxima
 }
 
+/// Answers one level by a program whose samplers are those of its pyramid.
+Result<Done> answer_technique(ProgramCache& programs, const Technique& technique, ShadowProgram with,
+                              const Pyramid& pyramid, const scene::Scene& scene, const Ground& ground,
+                              image::Image& image, double* seconds) {
+  if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(pyramid, with);
+  if (technique.bounds != Bounds::kCascades) return answer_level(with, pyramid, scene, ground, image, seconds);
+  Result<CascadeMaps> maps = draw_cascades(programs, pyramid, scene, ground, *seconds);
+  if (!maps) return maps.diagnostics();
+  with.samplers.push_back({.name = "gnomon_light_nearness", .texture = &maps->nearness});
+  with.uniforms = std::move(maps->uniforms);
+  return answer_level(with, pyramid, scene, ground, image, seconds);
+}
+
 }  // namespace
 
 Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyramids,
@@ -142,9 +156,9 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyram
   image::Image image = lit_image(ground);
   double seconds = 0;
   for (const auto& [q, pyramid] : pyramids) {
-    ShadowProgram with{.program = *program, .samplers = map_samplers(*pyramid)};
-    if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(*pyramid, with);
-    const Result<Done> answered = answer_level(with, *pyramid, scene, ground, image, &seconds);
+    const Result<Done> answered =
+        answer_technique(programs, technique, {.program = *program, .samplers = map_samplers(*pyramid)},
+                         *pyramid, scene, ground, image, &seconds);
     if (!answered) return answered.diagnostics();
   }
   tell_origin({.program = *program, .samplers = {}}, image);

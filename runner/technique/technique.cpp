@@ -11,6 +11,8 @@ const std::vector<Technique>& techniques() {
       {"multilevel_literal", "programs/multilevel_literal.frag",
        "the papers' own text with its errors, to see what they do", Bounds::kLiteralExtrema},
       {"brute_force", "programs/brute_force.frag", "exact hard shadow, every patch under the ray"},
+      {"cascaded_shadow_maps", "programs/cascaded_shadow_maps.frag",
+       "what engines use: the mesh as the sun sees it, in up to four maps", Bounds::kCascades},
       {"reference", "", "the double-precision oracle, no GL"},
   };
   return table;

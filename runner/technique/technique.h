@@ -11,6 +11,7 @@ namespace gnomon::technique {
 enum class Bounds {
   kBlockMaxima,     ///< relief/extrema: maxima over blocks of patches of H_q
   kLiteralExtrema,  ///< relief/literal_extrema: the papers' H_ext, of H_0 whatever q is
+  kCascades,        ///< what the sun sees of a mesh of H_q, drawn anew for each image
 };
 
 struct Technique {

@@ -30,6 +30,15 @@ Uniforms map_uniforms(const Pyramid& pyramid) {
           {"u_step_limit", step_limit(pyramid)}};
 }
 
+Uniforms camera_uniforms(const CameraRays& rays, glm::dvec2 offset) {
+  return {{"u_eye", glm::vec3(rays.eye)},
+          {"u_forward", glm::vec3(rays.forward)},
+          {"u_right", glm::vec3(rays.right)},
+          {"u_down", glm::vec3(rays.down)},
+          {"u_middle", glm::vec2(rays.middle - offset)},
+          {"u_perspective", rays.perspective ? 1 : 0}};
+}
+
 std::vector<gl::Sampler> map_samplers(const Pyramid& pyramid) {
   return {{.name = "gnomon_heights", .texture = &pyramid.heights},
           {.name = "gnomon_extrema", .texture = &pyramid.extrema, .last_level = pyramid.top_level() - 1}};
@@ -51,16 +60,27 @@ Result<gl::Texture> upload_points(const Ground& ground, const Tile& tile, const 
 
 Result<Texels> draw_tile(const Tile& tile, const gl::Program& program, Uniforms uniforms,
                          std::vector<gl::Sampler> samplers, std::vector<gl::BufferInput> buffers,
-                         double* seconds) {
-  const Result<gl::Texture> target = gl::Texture::create(gl::Format::kRgba32F, {tile.size.x, tile.size.y});
+                         double* seconds, std::optional<gl::Mesh> mesh) {
+  const gl::Size size{tile.size.x, tile.size.y};
+  const Result<gl::Texture> target = gl::Texture::create(gl::Format::kRgba32F, size);
   if (!target) return target.diagnostics();
+  std::optional<gl::Texture> depth;
+  if (mesh) {
+    Result<gl::Texture> made = gl::Texture::create(gl::Format::kDepth32F, size);
+    if (!made) return made.diagnostics();
+    depth = std::move(made).value();
+    mesh->depth = &*depth;
+    mesh->size = tile.size;
+  }
   uniforms.emplace_back("u_first_pixel", glm::vec2(tile.first));
+  uniforms.emplace_back("u_tile_size", glm::vec2(tile.size));
   const auto begin = std::chrono::steady_clock::now();
   const Result<Done> drawn = gl::draw({.program = &program,
                                        .uniforms = std::move(uniforms),
                                        .samplers = std::move(samplers),
                                        .buffers = std::move(buffers),
-                                       .target = &target.value()});
+                                       .target = &target.value(),
+                                       .mesh = mesh});
   if (seconds) *seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!drawn) return drawn.diagnostics();
   return Texels{target->download(), tile.size.x};

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "gl/draw.h"
 #include "gnomon/diagnostic.h"
+#include "technique/camera.h"
 #include "technique/ground.h"
 #include "technique/pyramid.h"
 
@@ -28,6 +30,10 @@ using Uniforms = std::vector<std::pair<std::string, gl::Uniform>>;
 
 /// What programs/map_pass.glsl takes, but for u_first_pixel.
 [[nodiscard]] Uniforms map_uniforms(const Pyramid& pyramid);
+
+/// What programs/camera_pass.glsl takes beside that: rays that pass `offset` pixels right of and below the
+/// pixels' centres.
+[[nodiscard]] Uniforms camera_uniforms(const CameraRays& rays, glm::dvec2 offset = {});
 
 /// Blocks and patches that a ray may visit: 8 (width + height) always suffices.
 [[nodiscard]] int step_limit(const Pyramid& pyramid);
@@ -49,10 +55,11 @@ struct Texels {
   }
 };
 
-/// Draws one tile of an image into an RGBA32F target and reads it back; adds the draw's own time to
-/// `seconds`, where given.
+/// Draws one tile of an image, or of a mesh where one is given, into an RGBA32F target and reads it back; adds
+/// the draw's own time to `seconds`, where given. The mesh's window and depth are those of the tile.
 [[nodiscard]] Result<Texels> draw_tile(const Tile& tile, const gl::Program& program, Uniforms uniforms,
                                        std::vector<gl::Sampler> samplers,
-                                       std::vector<gl::BufferInput> buffers, double* seconds);
+                                       std::vector<gl::BufferInput> buffers, double* seconds,
+                                       std::optional<gl::Mesh> mesh = {});
 
 }  // namespace gnomon::technique

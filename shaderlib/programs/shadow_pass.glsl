@@ -29,9 +29,10 @@ GnomonReceiver pass_receiver() {
   return gnomon_receiver_at(at.x, at.y, u_receiver_height);
 }
 
+// Methods that filter answer with a share: more than half of it is a shadow.
 void write_shadow(GnomonShadow answer) {
   float k = gnomon_k_shadow(answer.shadow, u_to_sun.z, u_k.x, u_k.y);
-  o_shadow = vec4(answer.shadow, k, float(answer.steps), float(answer.cause));
+  o_shadow = vec4(answer.shadow > 0.5 ? 1.0 : 0.0, k, float(answer.steps), float(answer.cause));
 }
 
 #endif
