@@ -17,56 +17,17 @@
 #include "oracle/view_ray.h"
 #include "technique/surface.h"
 #include "testing/engine_fixture.h"
+#include "testing/views.h"
 
 namespace gnomon {
 namespace {
 
 using scene::ViewCamera;
+using testing::orthographic;
+using testing::perspective;
+using testing::Seen;
+using testing::views;
 using Point = std::array<double, 3>;
-
-struct Seen {
-  const char* name;
-  const char* map;
-  ViewCamera camera;
-};
-
-ViewCamera perspective(Point eye, Point target, double fov, std::array<int, 2> size) {
-  return {.projection = ViewCamera::Projection::kPerspective,
-          .eye = eye,
-          .target = target,
-          .extent = fov,
-          .size = size};
-}
-
-ViewCamera orthographic(Point eye, Point target, double height, std::array<int, 2> size) {
-  return {.projection = ViewCamera::Projection::kOrthographic,
-          .eye = eye,
-          .target = target,
-          .extent = height,
-          .size = size};
-}
-
-/// Maps of 333 x 200 samples, 10 m apart.
-std::vector<Seen> views() {
-  return {
-      {"from above", "fractal", perspective({1600, 900, 4000}, {1700, 1100, 0}, 40, {480, 300})},
-      {"straight down", "fractal", perspective({1600, 900, 3000}, {1600, 900, 0}, 40, {320, 200})},
-      {"grazing", "fractal", perspective({-400, 900, 700}, {3000, 1000, 300}, 30, {480, 200})},
-      {"100 km away", "fractal", perspective({-90000, -40000, 9000}, {1660, 1000, 200}, 1.5, {480, 300})},
-      {"gorge", "gorge", perspective({1650, 1000, 400}, {2600, 1300, 100}, 60, {480, 300})},
-      {"oblique parallel", "gorge", orthographic({4000, -3000, 3000}, {1660, 1000, 0}, 2400, {480, 300})},
-      {"parallel straight down", "steps", orthographic({1660, 1000, 900}, {1660, 1000, 0}, 1900, {333, 190})},
-      {"spikes", "spikes", perspective({300, -800, 600}, {1700, 1000, 100}, 45, {480, 300})},
-      {"real", "real", perspective({12000, -9000, 9000}, {12900, 18000, 300}, 45, {480, 300})},
-  };
-}
-
-scene::Scene scene_of(const Seen& seen) {
-  scene::Scene scene = testing::scene_over(seen.map, 333, 200);
-  scene.camera = seen.camera;
-  scene.sun = {301.3, 11};
-  return scene;
-}
 
 oracle::ViewRay oracle_ray(const technique::ViewRay& ray) {
   return {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}};
@@ -136,7 +97,7 @@ class Camera : public ::testing::TestWithParam<Seen> {};
 
 TEST_P(Camera, HitsTheSurfaceThatTheDoublePrecisionRayMeets) {
   Engine engine = testing::make_engine();
-  const scene::Scene scene = scene_of(GetParam());
+  const scene::Scene scene = testing::scene_of(GetParam());
   const Result<Rendered> rendered = engine.render(scene);
   ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
   const technique::CameraRays rays = technique::camera_rays(GetParam().camera);
@@ -167,9 +128,10 @@ TEST(Cameras, NoPixelDiffersFromTheOracleAtItsOwnColumnAndRow) {
   double mismatches = 0;
   double shadowed = 0;
   for (const Seen& seen : views()) {
-    scene::Scene scene = scene_of(seen);
-    for (const int q : {0, 1, 3}) {
-      scene.shadow.q = q;
+    scene::Scene scene = testing::scene_of(seen);
+    // Of 333 samples the coarsest level is 9; one below 0 is "auto".
+    for (int q = -1; q <= 9; ++q) {
+      scene.shadow.q = q < 0 ? std::nullopt : std::optional(q);
       const Result<Rendered> rendered = engine.render(scene);
       ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
       const Result<image::Image> reference = engine.reference(scene, rendered->ground);

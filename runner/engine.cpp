@@ -106,6 +106,18 @@ gl::Request request_of(const EngineOptions& options) {
   return request;
 }
 
+/// A lit image with the shadows of another image of the same points: k_shadow is a factor of R, G and B.
+image::Image relit(const image::Image& lit, const image::Image& shadows) {
+  image::Image image = lit;
+  const std::vector<float>&had = lit.channels.at("k_shadow"), &has = shadows.channels.at("k_shadow");
+  for (const char* name : {"R", "G", "B"}) {
+    std::vector<float>& plane = image.channels.at(name);
+    for (std::size_t i = 0; i < plane.size() && i < has.size(); ++i)
+      plane[i] = had[i] > 0 ? plane[i] * has[i] / had[i] : 0.0F;
+  }
+  return image;
+}
+
 /// The heights under the pixels of a view, for pictures.
 std::vector<float> heights_under(const HeightMap& map, const technique::Ground& ground) {
   if (ground.on_samples()) return map.samples;
@@ -302,6 +314,7 @@ Result<std::vector<float>> Engine::unsteady(const Scene& scene, const image::Ima
 
 image::Picture Engine::picture(const Rendered& rendered, const Scene& scene, const image::Image& image) {
   if (image.channel("R")) return technique::lit_picture(image);
+  if (rendered.image.channel("R")) return technique::lit_picture(relit(rendered.image, image));
   const HeightMap& map = *rendered.map;
   const technique::Ground& ground = rendered.ground;
   std::vector<float> heights = heights_under(map, ground);

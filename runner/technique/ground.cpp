@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "oracle/mesh_ray.h"
 #include "oracle/view_ray.h"
 #include "technique/camera.h"
 #include "technique/map_host.h"
@@ -22,6 +24,16 @@ int coarsest_of(const terrain::HeightMap& map) {
 int level_of_detail(const MapHost& host, glm::vec2 along_x, glm::vec2 along_y, const scene::Shadow& shadow,
                     int coarsest) {
   return host.gnomon_level_of_detail(along_x, along_y, static_cast<float>(shadow.max_anisotropy), coarsest);
+}
+
+/// Where rays meet what the camera shows of the surface.
+std::function<std::optional<double>(const oracle::ViewRay&)> tracer_of(const oracle::Surface& surface,
+                                                                       const scene::ViewCamera& camera) {
+  if (camera.mesh) {
+    return [tracer = oracle::MeshTracer(surface, camera.mesh->step, camera.mesh->cull_back_faces)](
+               const oracle::ViewRay& ray) { return tracer.first_hit(ray); };
+  }
+  return [tracer = oracle::ViewTracer(surface)](const oracle::ViewRay& ray) { return tracer.first_hit(ray); };
 }
 
 /// The first pixel that cannot be asked, and why.
@@ -153,7 +165,7 @@ Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& 
                         const scene::Shadow& shadow, glm::dvec2 offset) {
   const CameraRays rays = camera_rays(camera);
   const oracle::Surface surface = surface_of(map);
-  const oracle::ViewTracer tracer(surface);
+  const auto first_hit = tracer_of(surface, camera);
   const MapHost host(map);
   const Modules::GnomonMap taken = host.map();
   const int coarsest = coarsest_of(map);
@@ -163,8 +175,7 @@ Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& 
   for (int y = 0; y < ground.size.y; ++y) {
     for (int x = 0; x < ground.size.x; ++x, ++i) {
       const auto [origin, direction] = rays.ray(glm::dvec2(x + 0.5, y + 0.5) + offset);
-      const auto hit =
-          tracer.first_hit({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}});
+      const auto hit = first_hit({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}});
       if (!hit) continue;
       const glm::dvec3 at = origin + *hit * direction;
       ground.valid[i] = 1;

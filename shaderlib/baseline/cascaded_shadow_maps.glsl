@@ -58,7 +58,7 @@ int gnomon_cascade_of(GnomonLight light, vec2 at) {
 // Metres that a receiver is lifted towards the sun, so that a mesh does not shadow itself through the texels' width.
 // facing: cosine of the angle between sun and normal, above 0.
 float gnomon_cascade_bias(GnomonLight light, float texel, float facing) {
-  float tangent = min(sqrt(max(1.0f - facing * facing, 0.0f)) / max(facing, 1e-3f), 16.0f);
+  float tangent = min(sqrt(max(1.0f - facing * facing, 0.0f)) / max(facing, 1e-3f), 64.0f);
   float widest = 0.5f * float(light.filter_width - 1);
   return texel * (light.bias + (light.slope_bias + widest) * tangent);
 }

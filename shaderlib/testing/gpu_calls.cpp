@@ -22,6 +22,10 @@ int texels(std::size_t scalars) {
 // Each pixel makes one whole call and writes four scalars of its answer.
 std::string program_text(const ModuleFunction& function, const std::vector<compiler::Module>& modules) {
   std::string text = "#include <gnomon/host/r32f.glsl>\n#include <gnomon/host/literal_extrema_rg32f.glsl>\n";
+  // MapModules::light_nearness.
+  text +=
+      "float gnomon_host_light_nearness(ivec2 texel, int cascade) {\n"
+      "  return float((texel.x * 7 + texel.y * 13 + cascade * 29) & 63) / 64.0;\n}\n";
   for (const compiler::Module& module : modules) {
     if (!module.defines_host()) text += "#include <gnomon/" + module.name + ".glsl>\n";
   }

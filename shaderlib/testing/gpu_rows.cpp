@@ -301,7 +301,7 @@ std::vector<Row> relief_rows() {
 std::vector<Row> rows() {
   std::vector<Row> all;
   for (auto make : {map_and_shadow_rows, decode_rows, patch_rows, ray_rows, crossing_rows, walk_rows,
-                    method_rows, relief_rows, rows_of_the_papers, rows_of_views}) {
+                    method_rows, relief_rows, rows_of_the_papers, rows_of_views, rows_of_meshes}) {
     for (Row& row : make()) all.push_back(std::move(row));
   }
   return all;

@@ -29,6 +29,9 @@ struct Row {
 /// Those of the modules in view/ and shading/ (gpu_rows_view.cpp).
 [[nodiscard]] std::vector<Row> rows_of_views();
 
+/// Those of the modules in mesh/, and of the cascades that are drawn of it (gpu_rows_mesh.cpp).
+[[nodiscard]] std::vector<Row> rows_of_meshes();
+
 /// One row a function.
 [[nodiscard]] std::vector<Row> rows();
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -56,6 +57,14 @@ class MapModules final : public Modules {
 
   [[nodiscard]] vec2 gnomon_host_literal_extrema(ivec2 block, int level) const override {
     return literal_extrema_.at(static_cast<std::size_t>(level - 1)).at(block);
+  }
+
+  /// What the sun sees, where a test says it; else numbers without a meaning, the same on the GPU.
+  std::function<float(ivec2, int)> light_nearness = [](ivec2 texel, int cascade) {
+    return static_cast<float>((texel.x * 7 + texel.y * 13 + cascade * 29) & 63) / 64.0F;
+  };
+  [[nodiscard]] float gnomon_host_light_nearness(ivec2 texel, int cascade) const override {
+    return light_nearness(texel, cascade);
   }
 
   /// Coarsest level of gnomon_host_literal_extrema, 0 where it has none.

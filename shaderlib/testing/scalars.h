@@ -94,6 +94,34 @@ void visit_members(Modules::GnomonHit& hit, V&& visit) {
   visit("steps", hit.steps);
   visit("cause", hit.cause);
 }
+template <class V>
+void visit_members(Modules::GnomonGridPoint& point, V&& visit) {
+  visit("height", point.height);
+  visit("normal", point.normal);
+}
+template <class V>
+void visit_members(Modules::GnomonCascade& cascade, V&& visit) {
+  visit("corner", cascade.corner);
+  visit("texel", cascade.texel);
+}
+template <class V>
+void visit_members(Modules::GnomonLight& light, V&& visit) {
+  visit("origin", light.origin);
+  visit("right", light.right);
+  visit("down", light.down);
+  visit("range", light.range);
+  visit("size", light.size);
+  visit("cascades", light.cascades);
+  visit("grid_step", light.grid_step);
+  visit("bias", light.bias);
+  visit("slope_bias", light.slope_bias);
+  visit("filter_width", light.filter_width);
+  visit("cascade", light.cascade);
+}
+template <class T, std::size_t N, class V>
+void visit_members(T (&list)[N], V&& visit) {
+  for (T& element : list) visit("", element);
+}
 template <glm::length_t N, class T, class V>
 void visit_members(glm::vec<N, T>& vector, V&& visit) {
   constexpr const char* kNames[] = {"x", "y", "z", "w"};
@@ -106,6 +134,8 @@ concept Scalar = std::same_as<T, bool> || std::same_as<T, int> || std::same_as<T
 /// How GLSL spells a type.
 template <class T>
 [[nodiscard]] std::string glsl_name() {
+  if constexpr (std::is_array_v<T>)
+    return glsl_name<std::remove_extent_t<T>>() + "[" + std::to_string(std::extent_v<T>) + "]";
   if constexpr (std::same_as<T, bool>) return "bool";
   if constexpr (std::same_as<T, int>) return "int";
   if constexpr (std::same_as<T, float>) return "float";
@@ -123,6 +153,9 @@ template <class T>
   if constexpr (std::same_as<T, Modules::GnomonShadow>) return "GnomonShadow";
   if constexpr (std::same_as<T, Modules::GnomonSpan>) return "GnomonSpan";
   if constexpr (std::same_as<T, Modules::GnomonHit>) return "GnomonHit";
+  if constexpr (std::same_as<T, Modules::GnomonGridPoint>) return "GnomonGridPoint";
+  if constexpr (std::same_as<T, Modules::GnomonCascade>) return "GnomonCascade";
+  if constexpr (std::same_as<T, Modules::GnomonLight>) return "GnomonLight";
 }
 
 /// Calls visit(scalar&) for every scalar of a value.

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// What cameras see of the surface drawn as a mesh, held against double-precision rays and the oracle; and
+// cascaded shadow maps over it, which have to fail where they are known to and nowhere else.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <limits>
+
+#include "judge/judge.h"
+#include "oracle/mesh_ray.h"
+#include "technique/camera.h"
+#include "technique/surface.h"
+#include "testing/engine_fixture.h"
+#include "testing/views.h"
+
+namespace gnomon {
+namespace {
+
+using testing::Seen;
+
+scene::Scene mesh_scene(const Seen& seen, scene::MeshSurface mesh) {
+  scene::Scene scene = testing::scene_of(seen);
+  std::get<scene::ViewCamera>(scene.camera).mesh = mesh;
+  return scene;
+}
+
+struct Tally {
+  long hits = 0, unsteady = 0, wrong = 0;
+};
+
+/// Nothing is met.
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+
+/// Metres along the ray through a point of the image, where it meets the mesh.
+double true_depth(const oracle::MeshTracer& tracer, const technique::CameraRays& rays, glm::dvec2 at) {
+  const technique::ViewRay ray = rays.ray(at);
+  const auto hit = tracer.first_hit(
+      {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}});
+  return hit ? *hit * glm::length(ray.direction) : kNowhere;
+}
+
+bool agree(double a, double b, double slack) {
+  return a == b || std::abs(a - b) <= slack;
+}
+
+Tally check(const Rendered& rendered, const scene::ViewCamera& camera) {
+  const oracle::Surface surface = technique::surface_of(*rendered.map);
+  const oracle::MeshTracer tracer(surface, camera.mesh->step, camera.mesh->cull_back_faces);
+  const technique::CameraRays rays = technique::camera_rays(camera);
+  const technique::Ground& ground = rendered.ground;
+  Tally tally;
+  for (std::size_t i = 0; i < ground.pixels(); i += 7) {
+    const auto width = static_cast<std::size_t>(ground.size.x);
+    const glm::dvec2 centre(double(i % width) + 0.5, double(i / width) + 0.5);
+    const double depth = true_depth(tracer, rays, centre);
+    const double slack = rendered.map->spacing_x + (depth < kNowhere ? 1e-3 * depth : 0);
+    bool steady = true;
+    for (const glm::dvec2 step : {glm::dvec2(0.02, 0), {-0.02, 0}, {0, 0.02}, {0, -0.02}})
+      steady = steady && agree(depth, true_depth(tracer, rays, centre + step), slack);
+    const double drawn = ground.valid[i] != 0 ? double{ground.depth[i]} : kNowhere;
+    tally.hits += depth < kNowhere;
+    tally.unsteady += !steady;
+    tally.wrong += steady && !agree(depth, drawn, slack);
+  }
+  return tally;
+}
+
+class Mesh : public ::testing::TestWithParam<Seen> {};
+
+TEST_P(Mesh, IsDrawnWhereDoublePrecisionRaysMeetIt) {
+  Engine engine = testing::make_engine();
+  for (const scene::MeshSurface mesh :
+       {scene::MeshSurface{.step = 1}, {.step = 5, .cull_back_faces = false}}) {
+    const scene::Scene scene = mesh_scene(GetParam(), mesh);
+    const Result<Rendered> rendered = engine.render(scene);
+    ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+    const Tally tally = check(*rendered, std::get<scene::ViewCamera>(scene.camera));
+    std::cout << GetParam().name << ", step " << mesh.step << ": " << tally.hits << " hits, "
+              << tally.unsteady << " that jump within 1/50 pixel, " << tally.wrong << " wrong\n";
+    EXPECT_EQ(tally.wrong, 0);
+    EXPECT_GT(tally.hits, 1300);
+    EXPECT_LT(tally.unsteady, tally.hits / 10);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Mesh, ::testing::ValuesIn(testing::views()), [](const auto& info) {
+  std::string name = info.param.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});
+
+TEST(Meshes, NoPixelDiffersFromTheOracleAtItsOwnColumnRowAndLevel) {
+  Engine engine = testing::make_engine();
+  double compared = 0;
+  double mismatches = 0;
+  int level = 0;
+  for (const Seen& seen : testing::views()) {
+    level = level % 9 + 1;  // one after the other up to the coarsest
+    for (const std::optional<int> q : {std::optional(0), std::optional(level), std::optional<int>()}) {
+      scene::Scene scene = mesh_scene(seen, {});
+      scene.shadow.q = q;
+      const Result<Rendered> rendered = engine.render(scene);
+      ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+      const Result<image::Image> reference = engine.reference(scene, rendered->ground);
+      ASSERT_TRUE(reference.ok());
+      const judge::Verdict verdict =
+          judge::compare(rendered->image, *reference, {.channels = {"b_shadow", "valid"}});
+      EXPECT_TRUE(verdict.passed) << seen.name << ": " << verdict.measured;
+      compared += verdict.compared;
+      mismatches += verdict.mismatches;
+    }
+  }
+  std::cout << "meshes: " << compared << " pixels, " << mismatches << " differ\n";
+  EXPECT_GT(compared, 1e6);
+}
+
+/// The share of b_shadow that cascaded shadow maps get wrong.
+double wrong_share(Engine& engine, scene::Scene scene, const scene::Cascades& cascades) {
+  scene.shadow.method = "cascaded_shadow_maps";
+  scene.shadow.cascades = cascades;
+  const Result<Rendered> rendered = engine.render(scene);
+  EXPECT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+  if (!rendered) return 1;
+  const Result<image::Image> reference = engine.reference(scene, rendered->ground);
+  EXPECT_TRUE(reference.ok());
+  const judge::Verdict verdict = judge::compare(rendered->image, *reference, {.channels = {"b_shadow"}});
+  return verdict.mismatches / verdict.compared;
+}
+
+TEST(CascadedShadowMaps, ComeNearerToTheOracleTheFinerTheyAre) {
+  Engine engine = testing::make_engine();
+  const scene::Scene scene = mesh_scene(testing::views().front(), {});
+  double coarser = 1;
+  for (const int size : {128, 512, 2048}) {
+    const double share = wrong_share(engine, scene, {.size = size});
+    std::cout << "maps of " << size << ": " << 100 * share << " % wrong\n";
+    EXPECT_LT(share, 0.7 * coarser);
+    EXPECT_GT(share, 0) << "an approximation";
+    coarser = share;
+  }
+  EXPECT_LT(coarser, 0.05) << "as good as its users get it";
+}
+
+TEST(CascadedShadowMaps, LoseWhatLiesBeyondTheirDistance) {
+  Engine engine = testing::make_engine();
+  const scene::Scene scene = mesh_scene(testing::views()[2], {});  // grazing
+  const double whole = wrong_share(engine, scene, {});
+  EXPECT_GT(wrong_share(engine, scene, {.distance = 1000}), 3 * whole);
+}
+
+TEST(CascadedShadowMaps, LoseTheStepsOfAnOpenModelWhereBackFacesAreLeftOut) {
+  // The staircase has no wall where the map ends: the sun behind it sees the back of every rise.
+  Engine engine = testing::make_engine();
+  scene::Scene scene = testing::scene_over("steps", 200, 200);
+  std::get<scene::ProceduralTerrain>(scene.terrain.source).parameters = {{"rise", 40}};
+  scene.sun = {270, 5};
+  const double all = wrong_share(engine, scene, {});
+  const double front = wrong_share(engine, scene, {.faces = scene::Cascades::Faces::kFront});
+  std::cout << "steps: " << 100 * all << " % wrong with all faces, " << 100 * front
+            << " % with front faces\n";
+  EXPECT_GT(front, 0.5);
+  EXPECT_LT(all, 0.1);
+}
+
+}  // namespace
+}  // namespace gnomon
