@@ -8,6 +8,7 @@
 #include <limits>
 #include <sstream>
 
+#include "bench/experiments.h"
 #include "gnomon/compiler/compiler.h"
 #include "technique/technique.h"
 
@@ -283,7 +284,7 @@ void add_diff(CLI::App& root, DiffArguments& a) {
 }
 
 void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArguments& made,
-                        BenchArguments& bench) {
+                        BenchArguments& timed) {
   CLI::App* app = root.add_subcommand("validate", "Check scene files: every error at once, FILE:LINE:COLUMN");
   app->add_option("SCENE", validate.scenes, "scene files or folders")->required();
   add_overrides(app, validate.overrides);
@@ -292,17 +293,27 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
   app->add_option("NAME", made.name, "where below the project's scenes, such as ridges/morning")->required();
 
   app = root.add_subcommand("bench", "Time the methods side by side on the same work, in one run");
-  app->add_option("--size", bench.sizes, "samples a side of the fractal map (repeatable). Default 1024 2048")
+  std::vector<std::string> names;
+  for (const bench::Experiment& experiment : bench::experiments()) names.push_back(experiment.name);
+  app->add_option("--experiment", timed.experiment, "what is measured. Default methods")
+      ->type_name("NAME")
+      ->check(CLI::IsMember(names));
+  app->add_option("--size", timed.sizes,
+                  "samples a side of procedural maps (repeatable). Default: the experiment's own")
       ->type_name("N")
       ->check(CLI::Range(16, 16384));
   add_number(
-      app, "--elevation", "DEGREES", 0.1, 89.9, [&bench](double v) { bench.elevation = v; },
-      "of the sun, degrees. Default 10");
-  app->add_option("--rounds", bench.rounds, "how often each method runs. Default 5")
+      app, "--elevation", "DEGREES", 0.1, 89.9, [&timed](double v) { timed.elevation = v; },
+      "of the sun, degrees. Default: the experiment's own");
+  app->add_option("--rounds", timed.rounds, "how often each image is drawn. Default 5")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  add_backend(app, bench.backend, bench.device);
-  app->add_option("--json", bench.json, "also write the figures as JSON")->type_name("FILE");
+  app->add_option("--scene", timed.scene, "also look at this scene's map through its camera")
+      ->type_name("FILE");
+  app->add_option("--pictures", timed.pictures, "also write each image, and where it differs from the first")
+      ->type_name("FOLDER");
+  add_backend(app, timed.backend, timed.device);
+  app->add_option("--json", timed.json, "also write the figures as JSON")->type_name("FILE");
 
   root.add_subcommand("info",
                       "Print back ends, devices, renderer, GL version, limits, versions of everything");

@@ -70,9 +70,12 @@ struct NewArguments {
 };
 
 struct BenchArguments {
-  std::vector<int> sizes{1024, 2048};  ///< samples a side
-  double elevation = 10;               ///< degrees
+  std::string experiment = "methods";
+  std::vector<int> sizes;           ///< samples a side; empty: the experiment's own
+  std::optional<double> elevation;  ///< degrees; absent: the experiment's own
   int rounds = 5;
+  std::string scene;     ///< a file whose map is looked at too; empty: none
+  std::string pictures;  ///< folder; empty: none
   Backend backend = Backend::kAuto;
   std::string device;  ///< empty: any
   std::string json;

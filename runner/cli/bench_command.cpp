@@ -1,51 +1,173 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "bench.h"
+#include "bench/experiments.h"
 #include "cli/commands.h"
 #include "gnomon/atomic_file.h"
+#include "judge/judge.h"
+#include "scene/load.h"
+#include "technique/technique.h"
 
 namespace gnomon::cli {
 namespace {
 
-nlohmann::json to_json(const BenchResult& result) {
-  nlohmann::json methods = nlohmann::json::array();
-  for (const BenchFigure& figure : result.figures) {
-    methods.push_back({{"method", figure.method},
-                       {"median_seconds", figure.median},
-                       {"seconds", figure.seconds},
-                       {"mean_steps", figure.mean_steps},
-                       {"mismatches", figure.mismatches},
-                       {"in_band", figure.in_band}});
-  }
-  return {{"map", "fractal"},
-          {"size", result.options.size},
-          {"azimuth", result.options.azimuth},
-          {"elevation", result.options.elevation},
-          {"rays", result.rays},
-          {"pyramid_seconds", result.pyramid_seconds},
-          {"methods", methods}};
+using bench::Figure;
+using bench::Group;
+using bench::Measured;
+using bench::Trial;
+
+std::string level_text(const scene::Shadow& shadow) {
+  return shadow.q ? std::to_string(*shadow.q) : "auto";
 }
 
-/// Ratios are to the slowest method: absolute times say little on a shared machine.
-std::string to_table(const BenchResult& result) {
-  double slowest = 0;
-  for (const BenchFigure& figure : result.figures) slowest = std::max(slowest, figure.median);
-  std::string text =
-      fmt::format("fractal {0} x {0}, sun {1}, {2} degrees, {3} rays a round, pyramid {4:.1f} ms (apart)\n",
-                  result.options.size, result.options.azimuth, result.options.elevation, result.rays,
-                  1e3 * result.pyramid_seconds);
-  text += fmt::format("  {:<20} {:>12} {:>8} {:>12} {:>12} {:>8}\n", "method", "median ms", "ratio",
-                      "steps a ray", "mismatches", "in band");
-  for (const BenchFigure& figure : result.figures) {
-    text += fmt::format("  {:<20} {:>12.1f} {:>7.2f}x {:>12.2f} {:>12} {:>8}\n", figure.method,
-                        1e3 * figure.median, slowest / figure.median, figure.mean_steps, figure.mismatches,
-                        figure.in_band);
+bool has_cascades(const scene::Shadow& shadow) {
+  return technique::find_technique(shadow.method)->bounds == technique::Bounds::kCascades;
+}
+
+const char* faces_text(scene::Cascades::Faces faces) {
+  return faces == scene::Cascades::Faces::kAll     ? "all"
+         : faces == scene::Cascades::Faces::kFront ? "front"
+                                                   : "back";
+}
+
+/// The method, and what sets it apart in its group.
+std::string label(const Trial& trial) {
+  const scene::Shadow& shadow = trial.scene.shadow;
+  if (!has_cascades(shadow)) return shadow.method + ", q " + level_text(shadow);
+  return fmt::format("cascades of {}, {} faces", shadow.cascades.size, faces_text(shadow.cascades.faces));
+}
+
+std::array<int, 2> viewport(const Trial& trial, const Figure& figure) {
+  if (const auto* view = std::get_if<scene::ViewCamera>(&trial.scene.camera)) return view->size;
+  const int side = static_cast<int>(std::lround(std::sqrt(figure.pixels)));
+  return {side, side};
+}
+
+int map_side(const Trial& trial) {
+  const auto* made = std::get_if<scene::ProceduralTerrain>(&trial.scene.terrain.source);
+  return made ? made->width : 0;
+}
+
+nlohmann::json to_json(const Trial& trial, const Figure& figure, double pyramid_seconds) {
+  const scene::Shadow& shadow = trial.scene.shadow;
+  nlohmann::json row{{"map", trial.map},
+                     {"viewport", viewport(trial, figure)},
+                     {"azimuth", trial.scene.sun.azimuth},
+                     {"elevation", trial.scene.sun.elevation},
+                     {"method", shadow.method},
+                     {"q", level_text(shadow)},
+                     {"pixels", figure.pixels},
+                     {"pyramid_seconds", pyramid_seconds},
+                     {"view_median_seconds", figure.view_median},
+                     {"median_seconds", figure.median},
+                     {"seconds", figure.seconds},
+                     {"mean_steps", figure.mean_steps},
+                     {"changed", figure.changed}};
+  if (map_side(trial) > 0) row["map_size"] = map_side(trial);
+  if (has_cascades(shadow)) {
+    row["cascade_size"] = shadow.cascades.size;
+    row["faces"] = faces_text(shadow.cascades.faces);
+  }
+  if (figure.mismatches) {
+    row["mismatches"] = *figure.mismatches;
+    row["in_band"] = *figure.in_band;
+  }
+  return row;
+}
+
+/// Ratios are to the first method: absolute times say little on a shared machine.
+std::string to_table(const Group& group, const Measured& measured) {
+  const Trial& first = group.trials.front();
+  const double base = measured.figures.front().median;
+  const std::array<int, 2> size = viewport(first, measured.figures.front());
+  std::string text = fmt::format(
+      "{}{}, {} x {} pixels, sun {} high, view {:.1f} ms, pyramid {:.1f} ms (apart)\n", first.map,
+      map_side(first) > 0 ? fmt::format(" {0} x {0}", map_side(first)) : "", size[0], size[1],
+      first.scene.sun.elevation, 1e3 * measured.figures.front().view_median, 1e3 * measured.pyramid_seconds);
+  text += fmt::format("  {:<34} {:>10} {:>8} {:>8} {:>10} {:>11} {:>8}\n", "method", "median ms", "ratio",
+                      "steps", "changed %", "mismatches", "in band");
+  for (std::size_t i = 0; i < group.trials.size(); ++i) {
+    const Figure& figure = measured.figures[i];
+    const auto counted = [](const std::optional<double>& n) { return n ? fmt::format("{}", *n) : "-"; };
+    text += fmt::format("  {:<34} {:>10.1f} {:>7.2f}x {:>8.2f} {:>10.3f} {:>11} {:>8}\n",
+                        label(group.trials[i]), 1e3 * figure.median, figure.median / base, figure.mean_steps,
+                        100 * figure.changed / std::max(figure.pixels, 1.0), counted(figure.mismatches),
+                        counted(figure.in_band));
   }
   return text;
+}
+
+/// Whether a method that is exact differs from the oracle.
+bool has_fault(const Group& group, const Measured& measured) {
+  for (std::size_t i = 0; i < group.trials.size(); ++i) {
+    const auto* method = technique::find_technique(group.trials[i].scene.shadow.method);
+    if (method->exact && measured.figures[i].mismatches.value_or(0) > 0) return true;
+  }
+  return false;
+}
+
+std::string file_name(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ' ' || c == ','; }, '_');
+  return text;
+}
+
+/// The picture of each trial, and where its shadow differs from the first one's.
+Result<Done> write_pictures(Engine& engine, const Group& group, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  std::optional<Rendered> first;
+  for (const Trial& trial : group.trials) {
+    const Result<Rendered> rendered = engine.render(trial.scene);
+    if (!rendered) return rendered.diagnostics();
+    const std::string stem = folder + "/" + file_name(trial.map + "_" + label(trial));
+    const Result<Done> written =
+        image::write_png(stem + ".png", Engine::picture(*rendered, trial.scene, rendered->image));
+    if (!written) return written;
+    if (!first) {
+      first = *rendered;
+      continue;
+    }
+    const judge::CompareOptions options{.channels = {"b_shadow"}};
+    const Result<Done> compared = image::write_png(
+        stem + "_difference.png", judge::difference_picture(rendered->image, first->image, options));
+    if (!compared) return compared;
+  }
+  return Done{};
+}
+
+/// The user's own map and camera, from a scene file of one test.
+Result<Trial> own_trial(const std::string& file) {
+  const scene::LoadResult loaded = scene::load_scene(file, {}, vocabulary());
+  if (!loaded.diagnostics.empty()) return loaded.diagnostics;
+  const scene::Scene& scene = loaded.tests.front();
+  if (loaded.tests.size() != 1 || !std::get_if<scene::ViewCamera>(&scene.camera)) {
+    return Diagnostic{.file = file,
+                      .message = "expected a scene of one test with a perspective or orthographic camera"};
+  }
+  Trial trial{.map = scene.id.substr(scene.id.find_last_of('/') + 1), .scene = scene};
+  trial.scene.shadow = {};
+  return trial;
+}
+
+Result<Done> write_json(const BenchArguments& arguments, Engine& engine, nlohmann::json rows) {
+  const Result<const gl::Info*> info = engine.gl_info();
+  if (!info) return info.diagnostics();
+  const std::string text = nlohmann::json{{"experiment", arguments.experiment},
+                                          {"version", GNOMON_VERSION},
+                                          {"backend", gl::name_of((*info)->device.api)},
+                                          {"renderer", (*info)->renderer},
+                                          {"rounds", arguments.rounds},
+                                          {"rows", std::move(rows)}}
+                               .dump(2) +
+                           "\n";
+  return write_file_atomically(arguments.json, std::as_bytes(std::span(text)));
 }
 
 }  // namespace
@@ -53,26 +175,28 @@ std::string to_table(const BenchResult& result) {
 int run_command(const BenchArguments& arguments, Console& console) {
   Engine engine(
       {.shader_library = console.shader_library, .backend = arguments.backend, .device = arguments.device});
-  nlohmann::json all = nlohmann::json::array();
+  bench::Options options{.sizes = arguments.sizes, .elevation = arguments.elevation};
+  if (!arguments.scene.empty()) {
+    Result<Trial> own = own_trial(arguments.scene);
+    if (!own) return report(console, own.diagnostics());
+    options.own = std::move(own).value();
+  }
+  nlohmann::json rows = nlohmann::json::array();
   int code = 0;
-  for (const int size : arguments.sizes) {
+  for (const Group& group : bench::find_experiment(arguments.experiment)->groups(options)) {
     if (console.interrupted) return static_cast<int>(Failure::kInterrupted);
-    const Result<BenchResult> result =
-        bench(engine, {.size = size, .elevation = arguments.elevation, .rounds = arguments.rounds});
-    if (!result) return report(console, result.diagnostics());
-    console.out << to_table(*result) << std::flush;
-    all.push_back(to_json(*result));
-    for (const BenchFigure& figure : result->figures) code = figure.mismatches > 0 ? 1 : code;
+    const Result<Measured> measured = bench::measure(engine, group, arguments.rounds);
+    if (!measured) return report(console, measured.diagnostics());
+    console.out << to_table(group, *measured) << std::flush;
+    for (std::size_t i = 0; i < group.trials.size(); ++i)
+      rows.push_back(to_json(group.trials[i], measured->figures[i], measured->pyramid_seconds));
+    if (has_fault(group, *measured)) code = 1;
+    if (arguments.pictures.empty()) continue;
+    const Result<Done> written = write_pictures(engine, group, arguments.pictures);
+    if (!written) return report(console, written.diagnostics());
   }
   if (arguments.json.empty()) return code;
-  const Result<const gl::Info*> info = engine.gl_info();
-  const std::string text = nlohmann::json{{"version", GNOMON_VERSION},
-                                          {"backend", gl::name_of((*info)->device.api)},
-                                          {"renderer", (*info)->renderer},
-                                          {"runs", all}}
-                               .dump(2) +
-                           "\n";
-  const Result<Done> written = write_file_atomically(arguments.json, std::as_bytes(std::span(text)));
+  const Result<Done> written = write_json(arguments, engine, std::move(rows));
   return written ? code : worse(code, report(console, written.diagnostics()));
 }
 

@@ -20,6 +20,7 @@ struct Technique {
       program;  ///< fragment program below the shader library; empty: computed on the CPU by the oracle
   std::string description;  ///< one sentence
   Bounds bounds = Bounds::kBlockMaxima;
+  bool exact = true;  ///< equals the oracle outside the band
 };
 
 /// Every method, the default one first.
