@@ -183,8 +183,10 @@ void add_map_options(CLI::App* app, RenderArguments& a) {
          },
          "where the sun stands at this time, such as 2024-06-21T12:00:00Z; geometric, without refraction")
       ->type_name("UTC");
-  add_pair<double>(app, "--at", a.at, ',', false, "LAT,LON",
-                   "of --time: where the map lies, degrees north and degrees east");
+  add_pair<double>(
+      app, "--at", a.at, ',', false, "LAT,LON",
+      "of --time: where the map lies, degrees north and degrees east. Default: the middle of the map, where "
+      "its georeference says");
   app->add_option_function<std::string>(
          "--method",
          [&a](const std::string& name) {
