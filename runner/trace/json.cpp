@@ -39,9 +39,10 @@ ordered_json to_json(const ViewHit& view) {
 void add_answer(const Trace& trace, ordered_json& document) {
   const Walk& walk = *trace.walk;
   document["step_limit"] = walk.step_limit;
-  document["b_shadow"] = walk.shadow;
+  document["b_shadow"] = walk.shadow != 0 ? 1 : 0;
   document["steps"] = walk.count;
-  document["cause"] = cause_text(walk.cause);
+  document["cause"] = cause_name(walk.cause);
+  document["reason"] = cause_text(walk.cause);
   document["oracle"] = {{"horizon", trace.oracle.horizon},
                         {"b_shadow", trace.oracle.shadow ? 1 : 0},
                         {"band", trace.oracle.in_band ? 1 : 0}};
@@ -57,7 +58,7 @@ std::string to_json(const Trace& trace, const scene::Scene& scene) {
                            {"valid", trace.point.valid() ? 1 : 0},
                            {"column", ground.column[0]},
                            {"row", ground.row[0]},
-                           {"q", ground.q[0]},
+                           {"q", static_cast<int>(ground.q[0])},
                            {"receiver_height", scene.shadow.receiver_height},
                            {"sun", {{"azimuth", scene.sun.azimuth}, {"elevation", scene.sun.elevation}}},
                            {"method", scene.shadow.method}};

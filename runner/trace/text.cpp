@@ -127,10 +127,10 @@ std::string oracle_text(const Trace& trace, const scene::Scene& scene) {
 
 std::string verdict(const Trace& trace, const scene::Scene& scene) {
   if (!trace.walk)
-    return "verdict: nothing is asked, as there is no surface here (valid 0): b_shadow 0, 0 steps\n";
+    return "verdict: nothing is asked, as there is no surface here (valid 0): b_shadow 0, steps 0\n";
   const Walk& walk = *trace.walk;
   const char* answer = !walk.decided() ? "UNDECIDED" : walk.shadow != 0 ? "in shadow" : "lit";
-  return fmt::format("verdict: {} (b_shadow {}, {} steps): {}. {}\n", answer, walk.shadow, walk.count,
+  return fmt::format("verdict: {} (b_shadow {}, steps {}): {}. {}\n", answer, walk.shadow, walk.count,
                      cause_text(walk.cause), oracle_text(trace, scene));
 }
 

@@ -62,9 +62,28 @@ std::string name_of(Decision decision) {
     case Decision::kHides:
       return "hides";
     case Decision::kLowest:
-      return "lowest hides";
+      return "lowest_hides";
   }
   return {};
+}
+
+std::string cause_name(int cause) {
+  switch (cause) {
+    case GNOMON_CAUSE_SURFACE:
+      return "surface";
+    case GNOMON_CAUSE_SUN_BELOW:
+      return "sun_below";
+    case GNOMON_CAUSE_ZENITH:
+      return "zenith";
+    case GNOMON_CAUSE_LEFT_MAP:
+      return "left_map";
+    case GNOMON_CAUSE_ABOVE_ALL:
+      return "above_all";
+    case GNOMON_CAUSE_BELOW_BLOCK:
+      return "below_block";
+    default:
+      return "undecided";
+  }
 }
 
 std::string cause_text(int cause) {

@@ -103,7 +103,8 @@ struct Trace {
 /// The same for programs; docs/cli.md lists the keys.
 [[nodiscard]] std::string to_json(const Trace& trace, const scene::Scene& scene);
 
-/// What a walk ended with, in words.
+/// What a walk ended with: one word for programs, and in words.
+[[nodiscard]] std::string cause_name(int cause);
 [[nodiscard]] std::string cause_text(int cause);
 
 }  // namespace gnomon::trace

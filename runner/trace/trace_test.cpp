@@ -216,6 +216,8 @@ TEST(Trace, TextAndJsonSayTheSame) {
   EXPECT_EQ(json["pixel"], nlohmann::json({70, 40}));
   EXPECT_EQ(json["q"], 1);
   EXPECT_EQ(json["steps"], trace.walk->count);
+  EXPECT_EQ(json["b_shadow"], static_cast<int>(trace.walk->shadow));
+  EXPECT_EQ(json["cause"], cause_name(trace.walk->cause));
   ASSERT_EQ(json["walk"].size(), trace.walk->steps.size());
   for (std::size_t i = 0; i < trace.walk->steps.size(); ++i) {
     const std::string reason = json["walk"][i]["reason"];
@@ -223,7 +225,7 @@ TEST(Trace, TextAndJsonSayTheSame) {
     EXPECT_NE(text.find(reason), std::string::npos);
   }
   const std::string verdict = text.substr(text.rfind("verdict: "));
-  EXPECT_NE(verdict.find(std::to_string(trace.walk->count) + " steps"), std::string::npos) << verdict;
+  EXPECT_NE(verdict.find("steps " + std::to_string(trace.walk->count) + "): "), std::string::npos) << verdict;
   EXPECT_NE(verdict.find("the sun 5.000000"), std::string::npos) << verdict;
   EXPECT_NE(verdict.find("the band"), std::string::npos) << verdict;
 }
