@@ -109,6 +109,8 @@ TEST_F(Gnomon, RendersAHeightMapAtATimeAndSaysWhereTheSunStands) {
 }
 
 TEST_F(Gnomon, ATimeNeedsAPlaceAndNoOtherSun) {
+  EXPECT_SAYS(run("render --heightmap missing.tif --time 2024-06-21T12:00:00Z -o o.exr"),
+              "there is no such file");
   const std::string map =
       "render --heightmap " + quote(GNOMON_SOURCE_DIR "/testcases/terrain/jacksboro.png") + " -o o.exr ";
   for (const auto& [options, says] :

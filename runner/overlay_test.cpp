@@ -153,6 +153,43 @@ TEST_F(Overlay, FeetOnTheGroundAndInHeight) {
   expect_shadows(path(""), "a.tif", {1200.0 / 3937, 1200.0 / 3937});
 }
 
+/// The number in front of a phrase of what was printed.
+double number_before(const Ran& ran, const std::string& phrase) {
+  const std::size_t end = ran.output.find(phrase);
+  EXPECT_NE(end, std::string::npos) << phrase << ": " << ran.output;
+  if (end == std::string::npos) return 1e9;
+  const std::size_t begin = ran.output.find_last_of(' ', end - 1) + 1;
+  return std::stod(ran.output.substr(begin, end - begin));
+}
+
+TEST_F(Overlay, ASunByTimeTakesPlaceAndGridNorthFromTheFile) {
+  // 2.67 degrees east of the central meridian, 47.8 degrees north: the sun culminates at 10:50 UTC.
+  write_test_file(path("a.tif"), post("EPSG:32633", {700000 - 305, 10, 0, 5300000 + 205, 0, -10}));
+  const Ran ran = render("a.tif -o o.tif --method reference --time 2024-06-21T10:50:00Z");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  const double true_north = number_before(ran, " from true north");
+  const double grid_north = number_before(ran, " from grid north");
+  EXPECT_NEAR(true_north, 180, 1.5);
+  const double longitude = number_before(ran, ": elevation");
+  constexpr double kDegree = std::numbers::pi / 180;
+  const double convergence =
+      std::atan(std::tan((longitude - 15) * kDegree) * std::sin(47.8 * kDegree)) / kDegree;
+  EXPECT_NEAR(true_north - grid_north, convergence, 0.005);
+  EXPECT_SAYS(ran, "meridian convergence +1.9");
+  EXPECT_SAYS(ran, "degrees clockwise, east of true north)");
+  const Ran elsewhere = render("a.tif -o p.tif --method reference --time 2024-06-21T10:50:00Z --at 10,20");
+  EXPECT_NEAR(number_before(elsewhere, " from true north") - number_before(elsewhere, " from grid north"),
+              true_north - grid_north, 2e-5)
+      << "the grid stays the map's";
+  std::ofstream(path("s.json"))
+      << R"({"version": 1, "description": "d", "terrain": {"file": "a.tif"}, "shadow": {"method": "reference"},
+             "sun": {"time": "2024-06-21T10:50:00Z"}, "expect": [{"reference": {}}]})";
+  const Ran scene = testing::run_command("cd " + quote(path("")) + " && " + quote(GNOMON_PROGRAM) +
+                                         " render s.json -o q.tif");
+  EXPECT_EQ(scene.code, 0) << scene.output;
+  EXPECT_EQ(number_before(scene, " from grid north"), grid_north);
+}
+
 TEST_F(Overlay, AnotherSizeCoversTheSameExtent) {
   write_test_file(path("a.tif"), post("EPSG:32611", {380000.1, 10, 0, 3800000.3, 0, -20}));
   for (const std::string size : {"7x300", "122x82", "1x1"}) {

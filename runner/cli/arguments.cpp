@@ -11,6 +11,7 @@
 #include "bench/experiments.h"
 #include "gnomon/compiler/compiler.h"
 #include "technique/technique.h"
+#include "trace/trace.h"
 
 namespace gnomon::cli {
 namespace {
@@ -58,19 +59,21 @@ Number number_of(const std::string& text, const std::string& name, const std::st
 
 /// Two numbers with `separator` between them; where `one_is_both`, one number stands for both.
 template <class Number>
-void add_pair(CLI::App* app, const std::string& name, std::optional<std::array<Number, 2>>& pair,
-              char separator, bool one_is_both, const std::string& shape, const std::string& description) {
-  app->add_option_function<std::string>(
-         name,
-         [&pair, name, shape, separator, one_is_both](const std::string& text) {
-           const std::size_t at = text.find(separator);
-           if (at == std::string::npos && !one_is_both)
-             throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
-           const std::string second = at == std::string::npos ? text : text.substr(at + 1);
-           pair = {number_of<Number>(text.substr(0, at), name, shape),
-                   number_of<Number>(second, name, shape)};
-         },
-         description)
+CLI::Option* add_pair(CLI::App* app, const std::string& name, std::optional<std::array<Number, 2>>& pair,
+                      char separator, bool one_is_both, const std::string& shape,
+                      const std::string& description) {
+  return app
+      ->add_option_function<std::string>(
+          name,
+          [&pair, name, shape, separator, one_is_both](const std::string& text) {
+            const std::size_t at = text.find(separator);
+            if (at == std::string::npos && !one_is_both)
+              throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
+            const std::string second = at == std::string::npos ? text : text.substr(at + 1);
+            pair = {number_of<Number>(text.substr(0, at), name, shape),
+                    number_of<Number>(second, name, shape)};
+          },
+          description)
       ->type_name(shape);
 }
 
@@ -184,8 +187,10 @@ void add_map_options(CLI::App* app, RenderArguments& a) {
          },
          "where the sun stands at this time, such as 2024-06-21T12:00:00Z; geometric, without refraction")
       ->type_name("UTC");
-  add_pair<double>(app, "--at", a.at, ',', false, "LAT,LON",
-                   "of --time: where the map lies, degrees north and degrees east");
+  add_pair<double>(
+      app, "--at", a.at, ',', false, "LAT,LON",
+      "of --time: where the map lies, degrees north and degrees east. Default: the middle of the map, where "
+      "its georeference says");
   app->add_option_function<std::string>(
          "--method",
          [&a](const std::string& name) {
@@ -283,6 +288,35 @@ void add_diff(CLI::App& root, DiffArguments& a) {
       "share of pixels that may differ. Default 0");
 }
 
+void add_trace(CLI::App& root, TraceArguments& a) {
+  CLI::App* app = root.add_subcommand("trace", "Print every step of a pixel's shadow ray, with the reason");
+  app->add_option("SCENE", a.scene, "scene file (JSON)")->required();
+  add_pair<int>(app, "--pixel", a.pixel, ',', false, "X,Y",
+                "column and row, counted from 0 at the image's upper left corner")
+      ->required();
+  app->add_option("--filter", a.filters,
+                  "which test of a scene that makes several, by its id; * crosses /, a leading ! excludes "
+                  "(repeatable)")
+      ->type_name("GLOB")
+      ->allow_extra_args(false);
+  std::string names;
+  for (const std::string& name : trace::traceable_methods()) names += (names.empty() ? "" : ", ") + name;
+  app->add_option_function<std::string>(
+         "--method",
+         [&a, names](const std::string& name) {
+           check_method(name);
+           const auto& known = trace::traceable_methods();
+           if (std::find(known.begin(), known.end(), name) == known.end())
+             throw CLI::ValidationError(
+                 "--method", "'" + name + "' has no steps that could be told; expected one of " + names);
+           a.method = name;
+         },
+         "follow this method instead of the scene's: " + names)
+      ->type_name("NAME");
+  add_overrides(app, a.overrides);
+  app->add_option("--json", a.json, "also write the steps as JSON")->type_name("FILE");
+}
+
 void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArguments& made,
                         BenchArguments& timed) {
   CLI::App* app = root.add_subcommand("validate", "Check scene files: every error at once, FILE:LINE:COLUMN");
@@ -363,10 +397,12 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
   ValidateArguments validate;
   NewArguments made;
   BenchArguments bench;
+  TraceArguments trace;
   add_render(root, render);
   add_test_options(root.add_subcommand("test", "Run scenes as tests"), test);
   add_test_options(root.add_subcommand("worker", "")->group(""), test);
   add_diff(root, diff);
+  add_trace(root, trace);
   add_small_commands(root, validate, made, bench);
   try {
     root.parse(argc, argv);
@@ -389,6 +425,7 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
   if (name == "validate") return {validate, {}, 0};
   if (name == "new") return {made, {}, 0};
   if (name == "bench") return {bench, {}, 0};
+  if (name == "trace") return {trace, {}, 0};
   if (name == "info") return {InfoArguments{}, {}, 0};
   return {test, {}, 0};
 }

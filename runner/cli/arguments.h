@@ -81,10 +81,19 @@ struct BenchArguments {
   std::string json;
 };
 
+struct TraceArguments {
+  std::string scene;
+  std::optional<std::array<int, 2>> pixel;  ///< column and row of the image; always given
+  std::vector<std::string> filters;
+  std::optional<std::string> method;
+  std::vector<std::string> overrides;  ///< KEY=VALUE
+  std::string json;                    ///< empty: none is written
+};
+
 struct InfoArguments {};
 
 using Command = std::variant<RenderArguments, TestArguments, DiffArguments, ValidateArguments, NewArguments,
-                             BenchArguments, InfoArguments>;
+                             BenchArguments, TraceArguments, InfoArguments>;
 
 /// A command, or a text to print (--help, --version, wrong usage) and the exit code.
 struct CommandLine {

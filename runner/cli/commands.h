@@ -14,6 +14,7 @@ int run_command(const DiffArguments& arguments, Console& console);
 int run_command(const ValidateArguments& arguments, Console& console);
 int run_command(const NewArguments& arguments, Console& console);
 int run_command(const BenchArguments& arguments, Console& console);
+int run_command(const TraceArguments& arguments, Console& console);
 int run_command(const InfoArguments& arguments, Console& console);
 
 /// The worker side of `test`: answers requests from standard input on `console.out` until the input ends.

@@ -31,8 +31,10 @@ std::optional<Diagnostic> set_time(const RenderArguments& a, scene::Scene& scene
     }
     time.place = ephemeris::Place{latitude, longitude};
   }
-  const std::optional<scene::SunOnMap> sun =
-      scene::sun_at(time, scene::map_centre(scene.terrain, vocabulary()));
+  const scene::Vocabulary words = vocabulary();
+  const std::optional<scene::SunOnMap> sun = scene::sun_at(time, scene::map_centre(scene.terrain, words));
+  // A file that cannot be read is refused, with its reason, when it is loaded.
+  if (!sun && !words.file_size(std::get<scene::FileTerrain>(scene.terrain.source))) return std::nullopt;
   if (!sun) {
     return Diagnostic{.file = "--time",
                       .message =

@@ -2,6 +2,7 @@
 #include "cli/commands.h"
 #include "technique/technique.h"
 #include "terrain/load.h"
+#include "terrain/map_place.h"
 #include "terrain/procedural.h"
 
 namespace gnomon::cli {
@@ -17,6 +18,11 @@ scene::Vocabulary vocabulary() {
   words.file_size = [](const scene::FileTerrain& file) -> std::optional<std::array<int, 2>> {
     // Where it cannot be read, that is said with its reason when the map is loaded.
     return terrain::height_map_size(file.path, {.channel = file.channel, .raw = file.raw});
+  };
+  words.map_centre = [](const scene::FileTerrain& file) -> std::optional<scene::MapCentre> {
+    const auto place = terrain::height_map_place(file.path, {.channel = file.channel, .raw = file.raw});
+    if (!place) return std::nullopt;
+    return scene::MapCentre{{place->latitude, place->longitude}, place->convergence};
   };
   words.channels = {"b_shadow", "k_shadow", "q",        "steps", "valid", "horizon", "column",
                     "row",      "depth",    "coverage", "R",     "G",     "B"};

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "scene/values.h"
 
 namespace gnomon::scene {
@@ -12,6 +14,23 @@ std::optional<MapCentre> map_centre(const Terrain& terrain, const Vocabulary& vo
   if (!file || file->path.empty() || !vocabulary.map_centre) return std::nullopt;
   return vocabulary.map_centre(*file);
 }
+
+namespace {
+
+/// What becomes of the azimuth on the map, for a person.
+std::string from_grid_north(const Sun& sun, const std::optional<MapCentre>& centre) {
+  if (!centre)
+    return ", and the same from grid north (meridian convergence 0: the map names no coordinate system)";
+  if (centre->convergence == 0)
+    return ", and the same from grid north (meridian convergence 0: the map's columns are meridians)";
+  return fmt::format(
+      ", {:.5f} from grid north (meridian convergence {:+.5f}: in the middle of the map, grid north lies "
+      "{:.5f} degrees {} of true north)",
+      sun.azimuth, centre->convergence, std::abs(centre->convergence),
+      centre->convergence > 0 ? "clockwise, east" : "counterclockwise, west");
+}
+
+}  // namespace
 
 std::optional<SunOnMap> sun_at(const SunTime& time, const std::optional<MapCentre>& centre) {
   if (!time.place && !centre) return std::nullopt;
@@ -25,11 +44,7 @@ std::optional<SunOnMap> sun_at(const SunTime& time, const std::optional<MapCentr
                   ephemeris::to_string(time.time), place.latitude, place.longitude, sun.elevation);
   note += time.refraction ? fmt::format(" (refraction: {:.5f})", lift) : "";
   note += fmt::format(", azimuth {:.5f} from true north", position.azimuth);
-  note += centre
-              ? fmt::format(", {:.5f} from grid north (meridian convergence {:.5f} in the middle of the map)",
-                            sun.azimuth, convergence)
-              : ", and the same from grid north (meridian convergence 0: the map names no coordinate system)";
-  return SunOnMap{sun, note};
+  return SunOnMap{sun, note + from_grid_north(sun, centre)};
 }
 
 }  // namespace gnomon::scene

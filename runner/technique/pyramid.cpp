@@ -28,11 +28,6 @@ gl::Size extrema_size(glm::ivec2 cells, int levels) {
   return {ceil_div(cells.x, top_block) * below, ceil_div(cells.y, top_block) * below};
 }
 
-int level_count(glm::ivec2 patches) {
-  const auto longest = static_cast<unsigned>(std::max(patches.x, patches.y));
-  return std::clamp(static_cast<int>(std::bit_width(longest - 1)), 1, kTopLevel);
-}
-
 /// 0 where the map has no data at all.
 float lowest_sample(const terrain::HeightMap& base) {
   float lowest = std::numeric_limits<float>::max();
@@ -80,6 +75,11 @@ Result<Done> draw_levels(const gl::Program& program, const gl::Texture& heights,
 
 }  // namespace
 
+int block_levels(glm::ivec2 patches) {
+  const auto longest = static_cast<unsigned>(std::max(patches.x, patches.y));
+  return std::clamp(static_cast<int>(std::bit_width(longest - 1)), 1, kTopLevel);
+}
+
 Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q) {
   const Result<const CachedProgram*> program = programs.get("programs/level.frag");
   if (!program) return program.diagnostics();
@@ -90,7 +90,7 @@ Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap
 
 Result<gl::Texture> build_extrema(const gl::Program& program, const gl::Texture& heights) {
   const glm::ivec2 patches(heights.size().width + 1, heights.size().height + 1);
-  const int levels = level_count(patches);
+  const int levels = block_levels(patches);
   Result<gl::Texture> extrema = gl::Texture::create(gl::Format::kR32F, extrema_size(patches, levels), levels);
   if (!extrema) return extrema;
   if (const Result<Done> drawn = draw_levels(program, heights, "gnomon_extrema", *extrema); !drawn)

@@ -29,6 +29,9 @@ struct Pyramid {
   [[nodiscard]] int top_level() const { return extrema.levels(); }
 };
 
+/// How many levels of block maxima a map with so many patches has.
+[[nodiscard]] int block_levels(glm::ivec2 patches);
+
 /// H_q alone: its heights as a texture.
 [[nodiscard]] Result<gl::Texture> build_level(ProgramCache& programs, const terrain::HeightMap& base, int q);
 

@@ -11,7 +11,9 @@
 
 #include "image/stored_image.h"
 #include "terrain/gdal_file.h"
+#include "terrain/gdal_setup.h"
 #include "terrain/height_builder.h"
+#include "terrain/map_place.h"
 #include "terrain/raw_file.h"
 
 namespace gnomon::terrain {
@@ -182,6 +184,14 @@ std::optional<std::array<int, 2>> height_map_size(const std::string& path, const
   }
   const auto file = GdalFile::open(path, {.channel = options.channel, .max_size = options.max_size});
   return file ? std::optional(std::array{file->header().width, file->header().height}) : std::nullopt;
+}
+
+std::optional<MapPlace> height_map_place(const std::string& path, const LoadOptions& options) {
+  if (options.raw || check_file(path) || is_png_or_exr(path)) return std::nullopt;
+  const auto file = GdalFile::open(path, {.channel = options.channel, .max_size = options.max_size});
+  if (!file || !file->header().georeference) return std::nullopt;
+  const GdalMessages silent;
+  return place_of(*file->header().georeference, file->header().width, file->header().height);
 }
 
 }  // namespace gnomon::terrain
