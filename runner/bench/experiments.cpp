@@ -85,7 +85,7 @@ std::vector<Group> methods(const Options& options) {
 
 /// Figure 8 of the 2022 paper: frame rate by level and height of the sun.
 std::vector<Group> levels(const Options& options) {
-  std::vector<double> elevations{2, 5, 10, 20, 40, 80};
+  std::vector<double> elevations{2, 10, 30, 60};
   if (options.elevation) elevations = {*options.elevation};
   std::vector<Group> groups;
   for (const Trial& map : maps(options))

@@ -32,31 +32,43 @@ Result<double> build_pyramid(Engine& engine, const Map& map) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-struct Drawn {
+struct View {
   technique::Ground ground;
-  image::Image image;
-  double view_seconds = 0;
   double seconds = 0;
 };
 
-Result<technique::Ground> ground_of(Engine& engine, const Map& map, const scene::Scene& scene,
-                                    double& seconds) {
+struct Drawn {
+  View view;
+  image::Image image;
+  double seconds = 0;
+};
+
+Result<View> view_of(Engine& engine, const Map& map, const scene::Scene& scene) {
   if (const auto* camera = std::get_if<scene::MapCamera>(&scene.camera))
-    return technique::map_ground(*camera, scene.shadow, *map);
+    return View{technique::map_ground(*camera, scene.shadow, *map)};
   const Result<const technique::Pyramid*> base = engine.pyramid(map, 0);
   if (!base) return base.diagnostics();
+  double seconds = 0;
   Result<technique::Ground> seen = technique::seen_ground(
       engine.programs(), **base, std::get<scene::ViewCamera>(scene.camera), scene.shadow, {}, &seconds);
-  return seen;
+  if (!seen) return seen.diagnostics();
+  return View{std::move(seen).value(), seconds};
 }
 
-Result<Drawn> draw(Engine& engine, const Map& map, const scene::Scene& scene) {
-  double view_seconds = 0;
-  Result<technique::Ground> ground = ground_of(engine, map, scene, view_seconds);
-  if (!ground) return ground.diagnostics();
-  technique::leave_out_holes(*ground, *map);
+/// Trials of a group share the camera: a fixed level asks the points of another one.
+Result<View> view_after(Engine& engine, const Map& map, const scene::Scene& scene, const View* first) {
+  if (!first || !scene.shadow.q) return view_of(engine, map, scene);
+  View view = *first;
+  std::fill(view.ground.q.begin(), view.ground.q.end(), static_cast<float>(*scene.shadow.q));
+  return view;
+}
+
+Result<Drawn> draw(Engine& engine, const Map& map, const scene::Scene& scene, const View* first) {
+  Result<View> view = view_after(engine, map, scene, first);
+  if (!view) return view.diagnostics();
+  technique::leave_out_holes(view->ground, *map);
   technique::Pyramids pyramids;
-  for (const int q : ground->levels()) {
+  for (const int q : view->ground.levels()) {
     const Result<const technique::Pyramid*> pyramid =
         engine.pyramid(map, q, technique::find_technique(scene.shadow.method)->bounds);
     if (!pyramid) return pyramid.diagnostics();
@@ -64,13 +76,26 @@ Result<Drawn> draw(Engine& engine, const Map& map, const scene::Scene& scene) {
   }
   double seconds = 0;
   Result<image::Image> image =
-      technique::render_shadow(engine.programs(), pyramids, scene, *ground, &seconds);
+      technique::render_shadow(engine.programs(), pyramids, scene, view->ground, &seconds);
   if (!image) return image.diagnostics();
-  return Drawn{std::move(ground).value(), std::move(image).value(), view_seconds, seconds};
+  return Drawn{std::move(view).value(), std::move(image).value(), seconds};
+}
+
+/// Draws every trial once, in turn, and hands each to `take(index, drawn)`.
+template <class Take>
+Result<Done> draw_round(Engine& engine, const Map& map, const Group& group, Take take) {
+  std::optional<View> first;
+  for (std::size_t i = 0; i < group.trials.size(); ++i) {
+    Result<Drawn> drawn = draw(engine, map, group.trials[i].scene, first ? &*first : nullptr);
+    if (!drawn) return drawn.diagnostics();
+    if (const Result<Done> taken = take(i, *drawn); !taken) return taken;
+    if (i == 0) first = std::move(drawn->view);
+  }
+  return Done{};
 }
 
 Result<Done> judge_figure(Engine& engine, const Trial& trial, const Drawn& drawn, Figure& figure) {
-  const Result<image::Image> reference = engine.reference(trial.scene, drawn.ground);
+  const Result<image::Image> reference = engine.reference(trial.scene, drawn.view.ground);
   if (!reference) return reference.diagnostics();
   const judge::Verdict verdict = judge::compare(drawn.image, *reference, {.channels = {"b_shadow"}});
   figure.mismatches = verdict.mismatches;
@@ -93,15 +118,12 @@ void count(const Drawn& drawn, const std::vector<float>& first, Figure& figure) 
 /// Warms up: compiles programs, builds pyramids; and says what the images hold.
 Result<Done> judge_round(Engine& engine, const Map& map, const Group& group, std::vector<Figure>& figures) {
   std::vector<float> first;
-  for (std::size_t i = 0; i < group.trials.size(); ++i) {
-    const Result<Drawn> drawn = draw(engine, map, group.trials[i].scene);
-    if (!drawn) return drawn.diagnostics();
-    if (i == 0) first = drawn->image.channels.at("b_shadow");
-    count(*drawn, first, figures[i]);
-    if (!group.judged) continue;
-    if (const auto judged = judge_figure(engine, group.trials[i], *drawn, figures[i]); !judged) return judged;
-  }
-  return Done{};
+  return draw_round(engine, map, group, [&](std::size_t i, const Drawn& drawn) -> Result<Done> {
+    if (i == 0) first = drawn.image.channels.at("b_shadow");
+    count(drawn, first, figures[i]);
+    if (!group.judged) return Done{};
+    return judge_figure(engine, group.trials[i], drawn, figures[i]);
+  });
 }
 
 }  // namespace
@@ -116,18 +138,19 @@ Result<Measured> measure(Engine& engine, const Group& group, int rounds) {
   measured.figures.resize(group.trials.size());
   if (const auto judged = judge_round(engine, *map, group, measured.figures); !judged)
     return judged.diagnostics();
-  std::vector<std::vector<double>> view_seconds(group.trials.size());
+  std::vector<std::vector<double>> views(group.trials.size());
   for (int round = 0; round < rounds; ++round) {
-    for (std::size_t i = 0; i < group.trials.size(); ++i) {
-      const Result<Drawn> drawn = draw(engine, *map, group.trials[i].scene);
-      if (!drawn) return drawn.diagnostics();
-      measured.figures[i].seconds.push_back(drawn->seconds);
-      view_seconds[i].push_back(drawn->view_seconds);
-    }
+    const Result<Done> drawn =
+        draw_round(engine, *map, group, [&](std::size_t i, const Drawn& trial) -> Result<Done> {
+          measured.figures[i].seconds.push_back(trial.seconds);
+          views[i].push_back(trial.view.seconds);
+          return Done{};
+        });
+    if (!drawn) return drawn.diagnostics();
   }
   for (std::size_t i = 0; i < group.trials.size(); ++i) {
     measured.figures[i].median = median(measured.figures[i].seconds);
-    measured.figures[i].view_median = median(view_seconds[i]);
+    measured.figures[i].view_median = median(views[i]);
   }
   return measured;
 }

@@ -18,7 +18,7 @@ struct Trial {
   scene::Scene scene;
 };
 
-/// Trials over one map. The first is what the others' pixels are compared with.
+/// Trials over one map, seen by one camera. The first is what the others' pixels are compared with.
 struct Group {
   std::vector<Trial> trials;
   bool judged = true;  ///< whether the oracle is asked too

@@ -106,6 +106,16 @@ TEST(SceneSchema, DefaultsAreThoseOfTheScene) {
   EXPECT_EQ(default_at(shadow, "k_dark").number(), Shadow{}.k_dark);
   EXPECT_EQ(default_at(shadow, "k_bright").number(), Shadow{}.k_bright);
   EXPECT_EQ(default_at(shadow, "receiver_height").number(), Shadow{}.receiver_height);
+  const Value& cascades = *member_schema(shadow, "cascades");
+  EXPECT_EQ(default_at(cascades, "count").number(), Cascades{}.count);
+  EXPECT_EQ(default_at(cascades, "size").number(), Cascades{}.size);
+  EXPECT_EQ(default_at(cascades, "split").number(), Cascades{}.split);
+  EXPECT_EQ(default_at(cascades, "bias").number(), Cascades{}.bias);
+  EXPECT_EQ(default_at(cascades, "slope_bias").number(), Cascades{}.slope_bias);
+  EXPECT_EQ(default_at(cascades, "filter").number(), Cascades{}.filter);
+  EXPECT_EQ(std::get<bool>(default_at(cascades, "stable").data), Cascades{}.stable);
+  EXPECT_EQ(default_at(cascades, "faces").text() == "all", Cascades{}.faces == Cascades::Faces::kAll);
+  EXPECT_EQ(default_at(cascades, "step").number(), Cascades{}.step);
   EXPECT_EQ(default_at(terrain, "vertical_scale").number(), 1.0);
   EXPECT_EQ(default_at(terrain, "seed").number(), ProceduralTerrain{}.seed);
   EXPECT_EQ(default_at(terrain, "size").array()[0].number(), ProceduralTerrain{}.width);
