@@ -407,5 +407,27 @@ TEST_F(Gnomon, ReferenceNeedsNoOpenGl) {
   EXPECT_TRUE(image::read_image((root_ / "a.exr").string())->channel("horizon"));
 }
 
+TEST_F(Gnomon, AnInterruptStopsItUnlessWhoStartedItIgnoresThem) {
+  std::string job = quote(program_) + " bench --rounds 1";
+  for (int size = 60; size < 65; ++size) job += " --size " + std::to_string(size);
+  const auto end_of = [&](const std::string& before, const std::string& signal) {
+    // It is interrupted once its first table is there, and has four more to come.
+    return testing::run_command("cd " + quote(root_.string()) + " && bash -c " +
+                                quote(before + "rm -f table; " + job +
+                                      " > table & until [ -s table ]; do sleep 0.1; done; kill -" + signal +
+                                      " $!; wait $!"));
+  };
+  EXPECT_EQ(end_of("", "HUP").code, 130);
+  EXPECT_EQ(end_of("trap '' HUP; ", "HUP").code, 0) << "nohup";
+}
+
+TEST_F(Gnomon, AFileSizeLimitIsTheMachinesFailureAndLeavesNothing) {
+  write_scene("map", R"([{"reference": {}}])");
+  const Ran ran = testing::run_command("cd " + quote(root_.string()) + " && ulimit -f 1 && " +
+                                       quote(program_) + " render testcases/map.json -o big.exr");
+  EXPECT_EQ(ran.code, 99) << ran.output;
+  EXPECT_FALSE(fs::exists(root_ / "big.exr"));
+}
+
 }  // namespace
 }  // namespace gnomon

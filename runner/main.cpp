@@ -24,13 +24,17 @@ void interrupt(int) {
   interrupted = true;
 }
 
-/// A second interrupt ends the program at once.
+/// A second interrupt ends the program at once. Who was started with one ignored (nohup, a script's trap) is
+/// to stay so.
 void catch_interrupts() {
   struct sigaction action {};
   action.sa_handler = interrupt;
   action.sa_flags = SA_RESETHAND;
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, &action, &before);
+    if (before.sa_handler == SIG_IGN) sigaction(signal, &before, nullptr);
+  }
 }
 
 int terminal_columns() {
@@ -66,6 +70,7 @@ int run(const gnomon::cli::Command& command, gnomon::cli::Console& console) {
 
 int main(int argc, char** argv) {
   using namespace gnomon;
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails instead, and is told
   const cli::CommandLine line = cli::parse_arguments(argc, argv);
   if (!line.command) {
     (line.exit_code == 0 ? std::cout : std::cerr) << line.text;

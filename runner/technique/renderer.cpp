@@ -45,12 +45,43 @@ Result<Done> store(const float* answer, std::size_t pixel, const Pyramid& pyrami
   return Done{};
 }
 
-/// The points of these pixels, row by row of a texture that is `width` texels wide.
+/// Pixels that are neighbours in the image are neighbours in a list too, where groups of its texels walk
+/// together: squares of this side one after the other, in the list as in the image.
+constexpr int kSquare = 8;
+
+/// Pixels in the order of a list.
+std::vector<std::size_t> by_squares(std::vector<std::size_t> pixels, int image_width) {
+  const auto width = static_cast<std::size_t>(image_width);
+  const auto square = [width](std::size_t pixel) {
+    return std::pair(pixel / width / kSquare, pixel % width / kSquare);
+  };
+  std::stable_sort(pixels.begin(), pixels.end(),
+                   [&](std::size_t a, std::size_t b) { return square(a) < square(b); });
+  return pixels;
+}
+
+/// Texels of a list: whole squares, at most kTile a side.
+glm::ivec2 list_size(std::size_t pixels) {
+  const int squares = static_cast<int>((pixels + kSquare * kSquare - 1) / (kSquare * kSquare));
+  const int columns = std::min(squares, kTile / kSquare);
+  return glm::ivec2(columns, (squares + columns - 1) / columns) * kSquare;
+}
+
+/// The texel of a list's entry, as an index row by row.
+std::size_t texel_of(std::size_t entry, glm::ivec2 size) {
+  const std::size_t square = entry / (kSquare * kSquare), inside = entry % (kSquare * kSquare);
+  const auto columns = static_cast<std::size_t>(size.x / kSquare);
+  const std::size_t row = square / columns * kSquare + inside / kSquare;
+  return row * static_cast<std::size_t>(size.x) + square % columns * kSquare + inside % kSquare;
+}
+
+/// The points of these pixels as a list.
 Result<gl::Texture> upload(const Ground& ground, std::span<const std::size_t> pixels, glm::ivec2 size) {
   std::vector<float> texels(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
   for (std::size_t i = 0; i < pixels.size(); ++i) {
-    texels[4 * i] = ground.column[pixels[i]];
-    texels[4 * i + 1] = ground.row[pixels[i]];
+    const std::size_t texel = texel_of(i, size);
+    texels[4 * texel] = ground.column[pixels[i]];
+    texels[4 * texel + 1] = ground.row[pixels[i]];
   }
   Result<gl::Texture> texture = gl::Texture::create(gl::Format::kRgba32F, {size.x, size.y});
   if (texture) texture->upload(texels);
@@ -87,22 +118,22 @@ Result<Done> answer_tiles(const Level& level, image::Image& image, double* secon
 /// Answers the pixels that ask for the pyramid's level, as a list without gaps: where neighbours ask for
 /// different levels, a draw over the image would walk for pixels that it does not answer.
 Result<Done> answer_list(const Level& level, image::Image& image, double* seconds) {
-  const std::vector<std::size_t> asking = level.ground.asking(level.pyramid.q);
+  const std::vector<std::size_t> asking =
+      by_squares(level.ground.asking(level.pyramid.q), level.ground.size.x);
   constexpr std::size_t kMost = std::size_t{kTile} * kTile;
   for (std::size_t first = 0; first < asking.size(); first += kMost) {
     const std::span pixels = std::span(asking).subspan(first, std::min(kMost, asking.size() - first));
-    const int width = static_cast<int>(std::min<std::size_t>(pixels.size(), kTile));
-    const int height = (static_cast<int>(pixels.size()) + width - 1) / width;
-    const Result<gl::Texture> points = upload(level.ground, pixels, {width, height});
+    const glm::ivec2 size = list_size(pixels.size());
+    const Result<gl::Texture> points = upload(level.ground, pixels, size);
     if (!points) return points.diagnostics();
     std::vector<gl::Sampler> samplers = level.with.samplers;
     samplers.push_back({.name = "u_points", .texture = &points.value()});
-    const Result<Texels> texels =
-        draw_tile({.first = {}, .size = {width, height}}, level.with.program->program, level.uniforms,
-                  std::move(samplers), level.with.buffers, seconds);
+    const Result<Texels> texels = draw_tile({.first = {}, .size = size}, level.with.program->program,
+                                            level.uniforms, std::move(samplers), level.with.buffers, seconds);
     if (!texels) return texels.diagnostics();
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const Result<Done> stored = store(&texels->values[4 * i], pixels[i], level.pyramid, level.scene, image);
+      const Result<Done> stored =
+          store(&texels->values[4 * texel_of(i, size)], pixels[i], level.pyramid, level.scene, image);
       if (!stored) return stored;
     }
   }
@@ -138,7 +169,8 @@ Result<Done> answer_technique(ProgramCache& programs, const Technique& technique
                               const Pyramid& pyramid, const scene::Scene& scene, const Ground& ground,
                               image::Image& image, double* seconds) {
   if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(pyramid, with);
-  if (technique.bounds != Bounds::kCascades) return answer_level(with, pyramid, scene, ground, image, seconds);
+  if (technique.bounds != Bounds::kCascades)
+    return answer_level(with, pyramid, scene, ground, image, seconds);
   Result<CascadeMaps> maps = draw_cascades(programs, pyramid, scene, ground, *seconds);
   if (!maps) return maps.diagnostics();
   with.samplers.push_back({.name = "gnomon_light_nearness", .texture = &maps->nearness});
