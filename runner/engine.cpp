@@ -118,6 +118,17 @@ image::Image relit(const image::Image& lit, const image::Image& shadows) {
   return image;
 }
 
+/// Ground of one colour, its shadows alone: points need not lie side by side, so their slopes are not known.
+image::Image evenly_lit(const image::Image& shadows) {
+  constexpr float kGrey = 0.5F;
+  image::Image image = shadows;
+  std::vector<float> grey = shadows.channels.at("k_shadow");
+  const std::vector<float>& valid = shadows.channels.at("valid");
+  for (std::size_t i = 0; i < grey.size(); ++i) grey[i] *= valid[i] != 0 ? kGrey : 0.0F;
+  for (const char* name : {"R", "G", "B"}) image.channels[name] = grey;
+  return image;
+}
+
 /// The heights under the pixels of a view, for pictures.
 std::vector<float> heights_under(const HeightMap& map, const technique::Ground& ground) {
   if (ground.on_samples()) return map.samples;
@@ -315,6 +326,7 @@ Result<std::vector<float>> Engine::unsteady(const Scene& scene, const image::Ima
 image::Picture Engine::picture(const Rendered& rendered, const Scene& scene, const image::Image& image) {
   if (image.channel("R")) return technique::lit_picture(image);
   if (rendered.image.channel("R")) return technique::lit_picture(relit(rendered.image, image));
+  if (!rendered.ground.depth.empty()) return technique::lit_picture(evenly_lit(image));
   const HeightMap& map = *rendered.map;
   const technique::Ground& ground = rendered.ground;
   std::vector<float> heights = heights_under(map, ground);

@@ -82,8 +82,9 @@ int main(int argc, char** argv) {
   std::optional<AnswerStream> answers;
   if (test && test->worker) {
     answers.emplace();
-  } else {
-    catch_interrupts();
+  } else if (test || std::get_if<cli::RenderArguments>(&*line.command) ||
+             std::get_if<cli::BenchArguments>(&*line.command)) {
+    catch_interrupts();  // the others write at their end or nothing, and stop at once
   }
   cli::Console console{.in = std::cin,
                        .out = answers ? answers->stream() : std::cout,

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "technique/technique.h"
+#include "terrain/procedural.h"
 
 namespace gnomon::bench {
 namespace {
@@ -34,10 +35,34 @@ scene::ViewCamera across(double side, std::array<int, 2> viewport) {
           .size = viewport};
 }
 
-/// From a few metres over the ground at the edge, along it to the far end of the map.
-scene::ViewCamera along(double side, std::array<int, 2> viewport) {
-  return {.eye = {0.03 * side, 0.03 * side, 0.16 * side},
-          .target = {0.5 * side, 0.5 * side, 0.07 * side},
+/// Highest sample of a procedural map within a few samples of the sample (column, row from the south),
+/// metres.
+double ground_near(const scene::ProceduralTerrain& made, int column, int row_from_south) {
+  const Result<terrain::HeightMap> map = terrain::make_procedural({.kind = made.kind,
+                                                                   .width = made.width,
+                                                                   .height = made.height,
+                                                                   .seed = made.seed,
+                                                                   .spacing_x = kSpacing,
+                                                                   .spacing_y = kSpacing,
+                                                                   .parameters = made.parameters});
+  if (!map) return 0;  // said when the trial is drawn
+  double highest = 0;
+  for (int y = -3; y <= 3; ++y) {
+    for (int x = -3; x <= 3; ++x) {
+      const int row = std::clamp(map->height - 1 - row_from_south + y, 0, map->height - 1);
+      highest = std::max(highest, double{map->at(row, std::clamp(column + x, 0, map->width - 1))});
+    }
+  }
+  return highest;
+}
+
+/// From a person's height over the ground at a corner of the map to its far end.
+scene::ViewCamera along(const scene::ProceduralTerrain& made, std::array<int, 2> viewport) {
+  const int at = made.width / 24;
+  const double side = made.width * kSpacing;
+  const double eye = ground_near(made, at, at) + 2;
+  return {.eye = {(at + 0.5) * kSpacing, (at + 0.5) * kSpacing, eye},
+          .target = {0.5 * side, 0.5 * side, eye - 0.03 * side},
           .extent = 40,
           .size = viewport};
 }
@@ -106,11 +131,16 @@ std::vector<Group> viewports(const Options& options) {
   return groups;
 }
 
-Trial cascaded(Trial trial, int size) {
+Trial cascaded(Trial trial, int size, const scene::Cascades& cascades) {
   trial.scene.shadow.method = "cascaded_shadow_maps";
-  // The least wrong of those tried on a fractal: docs/experiments.md.
-  trial.scene.shadow.cascades = {.size = size, .filter = 1};
+  trial.scene.shadow.cascades = cascades;
+  trial.scene.shadow.cascades.size = size;
   return trial;
+}
+
+/// The least wrong of `biases` on the maps of `cascades`: docs/experiments.md.
+scene::Cascades best() {
+  return {.bias = 0.5, .slope_bias = 0.5, .filter = 1, .stable = false};
 }
 
 /// Table 1 of the 2021 paper: both methods on maps of three sizes.
@@ -120,39 +150,65 @@ std::vector<Group> map_sizes(const Options& options) {
     Trial trial = over("fractal", size);
     trial.scene.camera = across(size * kSpacing, {1920, 1080});
     trial = with(trial, "multilevel", 0, options.elevation.value_or(20));
-    groups.push_back({.trials = {trial, cascaded(trial, 2048), cascaded(trial, 4096)}, .judged = false});
+    groups.push_back(
+        {.trials = {trial, cascaded(trial, 2048, best()), cascaded(trial, 4096, best())}, .judged = false});
   }
   return groups;
 }
 
 /// The stress maps of both papers, and a view whose background lies far away.
-std::vector<Group> cascades(const Options& options) {
+std::vector<Trial> stress(const Options& options) {
   constexpr std::array<int, 2> kViewport{960, 540};
-  std::vector<Group> groups;
+  std::vector<Trial> all;
   for (const int size : sizes(options, {1024})) {
     const double side = size * kSpacing;
-    std::vector<Trial> all;
-    for (const char* kind : {"spikes", "steps", "gorge", "fractal"}) all.push_back(over(kind, size));
-    for (Trial& trial : all) {
+    for (const char* kind : {"spikes", "steps", "gorge", "fractal"}) {
+      Trial trial = over(kind, size);
       trial.scene.camera = across(side, kViewport);
-      trial = with(trial, "multilevel", 0, options.elevation.value_or(10));
-    }
-    // The open staircase: the sun behind its highest step, where the model has no wall.
-    auto& steps = std::get<scene::ProceduralTerrain>(all[1].scene.terrain.source);
-    steps.parameters = {{"rise", 0.04 * side / 8}};
-    all[1].scene.sun = {.azimuth = 262, .elevation = std::min(all[1].scene.sun.elevation, 2.0)};
-    all.back().map = "far background";
-    all.back().scene.camera = along(side, kViewport);
-    if (options.own) all.push_back(with(*options.own, "multilevel", 0, options.elevation.value_or(10)));
-    for (const Trial& trial : all) {
-      Group group{.trials = {trial}};
-      for (const int maps : {512, 1024, 2048, 4096}) group.trials.push_back(cascaded(trial, maps));
+      trial.scene.sun.elevation = options.elevation.value_or(10);
+      auto& made = std::get<scene::ProceduralTerrain>(trial.scene.terrain.source);
       if (trial.map == "steps") {
-        group.trials.push_back(cascaded(trial, 4096));
-        group.trials.back().scene.shadow.cascades.faces = scene::Cascades::Faces::kFront;
+        // An open staircase: the sun behind its highest step, where the model has no wall.
+        made.parameters = {{"rise", 0.04 * side / 8}};
+        trial.scene.sun = {.azimuth = 262, .elevation = options.elevation.value_or(2)};
       }
-      groups.push_back(std::move(group));
+      if (trial.map == "fractal") {
+        trial.map = "far background";
+        trial.scene.camera = along(made, kViewport);
+      }
+      all.push_back(std::move(trial));
     }
+  }
+  if (options.own) all.push_back(*options.own);
+  return all;
+}
+
+std::vector<Group> cascades(const Options& options) {
+  std::vector<Group> groups;
+  for (const Trial& trial : stress(options)) {
+    Group group{.trials = {trial}};
+    for (const int maps : {512, 1024, 2048, 4096}) group.trials.push_back(cascaded(trial, maps, best()));
+    if (trial.map == "steps") {
+      group.trials.push_back(group.trials.back());
+      group.trials.back().scene.shadow.cascades.faces = scene::Cascades::Faces::kFront;
+    }
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+/// What bias, filter and fit make cascades least wrong.
+std::vector<Group> biases(const Options& options) {
+  std::vector<Group> groups;
+  for (const Trial& trial : stress(options)) {
+    Group group{.trials = {trial}};
+    for (const int filter : {1, 3})
+      for (const double bias : {0.0, 0.5, 1.0})
+        for (const double slope : {0.0, 0.5, 1.0})
+          group.trials.push_back(
+              cascaded(trial, 2048, {.bias = bias, .slope_bias = slope, .filter = filter, .stable = false}));
+    group.trials.push_back(cascaded(trial, 2048, {}));
+    groups.push_back(std::move(group));
   }
   return groups;
 }
@@ -162,11 +218,13 @@ std::vector<Group> cascades(const Options& options) {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> table = {
       {"methods", "every method on a fractal map, a ray a sample, judged by the oracle", methods},
-      {"levels", "time and changed pixels by level of detail and height of the sun (figure 8, 2022)", levels},
-      {"viewports", "the same by size of the picture", viewports},
+      {"levels", "time and changed pixels by level of detail and height of the sun (figure 8, 2022)", levels,
+       true},
+      {"viewports", "the same by size of the picture", viewports, true},
       {"map_sizes", "ray casting and cascaded shadow maps by size of the map (table 1, 2021)", map_sizes},
-      {"cascades", "wrong pixels of cascaded shadow maps on the papers' stress maps, by their size",
-       cascades},
+      {"cascades", "wrong pixels of cascaded shadow maps on the papers' stress maps, by their size", cascades,
+       true},
+      {"biases", "the same by bias and filter, to choose them", biases, true},
   };
   return table;
 }

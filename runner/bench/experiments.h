@@ -21,6 +21,7 @@ struct Experiment {
   std::string name;
   std::string description;  ///< one sentence
   std::vector<Group> (*groups)(const Options& options);
+  bool takes_own = false;  ///< Options::own
 };
 
 /// Every experiment, the default one first.

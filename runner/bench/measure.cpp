@@ -18,7 +18,8 @@ using Map = std::shared_ptr<const terrain::HeightMap>;
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
 /// Seconds, without compiling the two programs that build it.
@@ -81,12 +82,22 @@ Result<Drawn> draw(Engine& engine, const Map& map, const scene::Scene& scene, co
   return Drawn{std::move(view).value(), std::move(image).value(), seconds};
 }
 
+/// Where a group is drawn.
+struct Bench {
+  Engine& engine;
+  const Group& group;
+  const std::atomic<bool>& interrupted;
+  Map map;
+};
+
 /// Draws every trial once, in turn, and hands each to `take(index, drawn)`.
 template <class Take>
-Result<Done> draw_round(Engine& engine, const Map& map, const Group& group, Take take) {
+Result<Done> draw_round(const Bench& bench, Take take) {
   std::optional<View> first;
-  for (std::size_t i = 0; i < group.trials.size(); ++i) {
-    Result<Drawn> drawn = draw(engine, map, group.trials[i].scene, first ? &*first : nullptr);
+  for (std::size_t i = 0; i < bench.group.trials.size(); ++i) {
+    if (bench.interrupted) return Diagnostic{.message = "interrupted", .failure = Failure::kInterrupted};
+    Result<Drawn> drawn =
+        draw(bench.engine, bench.map, bench.group.trials[i].scene, first ? &*first : nullptr);
     if (!drawn) return drawn.diagnostics();
     if (const Result<Done> taken = take(i, *drawn); !taken) return taken;
     if (i == 0) first = std::move(drawn->view);
@@ -116,19 +127,20 @@ void count(const Drawn& drawn, const std::vector<float>& first, Figure& figure) 
 }
 
 /// Warms up: compiles programs, builds pyramids; and says what the images hold.
-Result<Done> judge_round(Engine& engine, const Map& map, const Group& group, std::vector<Figure>& figures) {
+Result<Done> judge_round(const Bench& bench, std::vector<Figure>& figures) {
   std::vector<float> first;
-  return draw_round(engine, map, group, [&](std::size_t i, const Drawn& drawn) -> Result<Done> {
+  return draw_round(bench, [&](std::size_t i, const Drawn& drawn) -> Result<Done> {
     if (i == 0) first = drawn.image.channels.at("b_shadow");
     count(drawn, first, figures[i]);
-    if (!group.judged) return Done{};
-    return judge_figure(engine, group.trials[i], drawn, figures[i]);
+    if (!bench.group.judged) return Done{};
+    return judge_figure(bench.engine, bench.group.trials[i], drawn, figures[i]);
   });
 }
 
 }  // namespace
 
-Result<Measured> measure(Engine& engine, const Group& group, int rounds) {
+Result<Measured> measure(Engine& engine, const Group& group, int rounds,
+                         const std::atomic<bool>& interrupted) {
   if (const Result<const gl::Info*> info = engine.gl_info(); !info) return info.diagnostics();
   const Result<Map> map = engine.terrain(group.trials.front().scene);
   if (!map) return map.diagnostics();
@@ -136,16 +148,15 @@ Result<Measured> measure(Engine& engine, const Group& group, int rounds) {
   if (!built) return built.diagnostics();
   Measured measured{.pyramid_seconds = *built};
   measured.figures.resize(group.trials.size());
-  if (const auto judged = judge_round(engine, *map, group, measured.figures); !judged)
-    return judged.diagnostics();
+  const Bench bench{engine, group, interrupted, *map};
+  if (const auto judged = judge_round(bench, measured.figures); !judged) return judged.diagnostics();
   std::vector<std::vector<double>> views(group.trials.size());
   for (int round = 0; round < rounds; ++round) {
-    const Result<Done> drawn =
-        draw_round(engine, *map, group, [&](std::size_t i, const Drawn& trial) -> Result<Done> {
-          measured.figures[i].seconds.push_back(trial.seconds);
-          views[i].push_back(trial.view.seconds);
-          return Done{};
-        });
+    const Result<Done> drawn = draw_round(bench, [&](std::size_t i, const Drawn& trial) -> Result<Done> {
+      measured.figures[i].seconds.push_back(trial.seconds);
+      views[i].push_back(trial.view.seconds);
+      return Done{};
+    });
     if (!drawn) return drawn.diagnostics();
   }
   for (std::size_t i = 0; i < group.trials.size(); ++i) {

@@ -2,6 +2,7 @@
 // Images of the same map timed side by side in one run: what a claim of speed rests on.
 #pragma once
 
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,7 +44,8 @@ struct Measured {
 };
 
 /// Draws each trial `rounds` times, in turn: A B C A B C ... after one round that warms up, whose images are
-/// judged.
-[[nodiscard]] Result<Measured> measure(Engine& engine, const Group& group, int rounds);
+/// judged. Fails with kInterrupted once `interrupted` is set.
+[[nodiscard]] Result<Measured> measure(Engine& engine, const Group& group, int rounds,
+                                       const std::atomic<bool>& interrupted);
 
 }  // namespace gnomon::bench

@@ -409,6 +409,8 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
     if (root.got_subcommand("render")) check_render(render);
     check_device(render.backend, render.device);
     check_device(test.backend, test.device);
+    if (!bench.scene.empty() && !bench::find_experiment(bench.experiment)->takes_own)
+      throw CLI::ValidationError("--scene", "the experiment '" + bench.experiment + "' has no map to add to");
     if (bench.backend == Backend::kCpu)
       throw CLI::ValidationError("--backend", "bench times OpenGL methods, which 'cpu' has none of");
   } catch (const CLI::ParseError& error) {

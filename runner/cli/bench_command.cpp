@@ -40,7 +40,10 @@ const char* faces_text(scene::Cascades::Faces faces) {
 std::string label(const Trial& trial) {
   const scene::Shadow& shadow = trial.scene.shadow;
   if (!has_cascades(shadow)) return shadow.method + ", q " + level_text(shadow);
-  return fmt::format("cascades of {}, {} faces", shadow.cascades.size, faces_text(shadow.cascades.faces));
+  const scene::Cascades& cascades = shadow.cascades;
+  return fmt::format("cascades of {}, {}, bias {:g} {:g}, filter {}{}", cascades.size,
+                     faces_text(cascades.faces), cascades.bias, cascades.slope_bias, cascades.filter,
+                     cascades.stable ? ", stable" : "");
 }
 
 std::array<int, 2> viewport(const Trial& trial, const Figure& figure) {
@@ -73,6 +76,10 @@ nlohmann::json to_json(const Trial& trial, const Figure& figure, double pyramid_
   if (has_cascades(shadow)) {
     row["cascade_size"] = shadow.cascades.size;
     row["faces"] = faces_text(shadow.cascades.faces);
+    row["bias"] = shadow.cascades.bias;
+    row["slope_bias"] = shadow.cascades.slope_bias;
+    row["filter"] = shadow.cascades.filter;
+    row["stable"] = shadow.cascades.stable;
   }
   if (figure.mismatches) {
     row["mismatches"] = *figure.mismatches;
@@ -90,12 +97,12 @@ std::string to_table(const Group& group, const Measured& measured) {
       "{}{}, {} x {} pixels, sun {} high, view {:.1f} ms, pyramid {:.1f} ms (apart)\n", first.map,
       map_side(first) > 0 ? fmt::format(" {0} x {0}", map_side(first)) : "", size[0], size[1],
       first.scene.sun.elevation, 1e3 * measured.figures.front().view_median, 1e3 * measured.pyramid_seconds);
-  text += fmt::format("  {:<34} {:>10} {:>8} {:>8} {:>10} {:>11} {:>8}\n", "method", "median ms", "ratio",
+  text += fmt::format("  {:<46} {:>10} {:>8} {:>8} {:>10} {:>11} {:>8}\n", "method", "median ms", "ratio",
                       "steps", "changed %", "mismatches", "in band");
   for (std::size_t i = 0; i < group.trials.size(); ++i) {
     const Figure& figure = measured.figures[i];
     const auto counted = [](const std::optional<double>& n) { return n ? fmt::format("{}", *n) : "-"; };
-    text += fmt::format("  {:<34} {:>10.1f} {:>7.2f}x {:>8.2f} {:>10.3f} {:>11} {:>8}\n",
+    text += fmt::format("  {:<46} {:>10.1f} {:>7.2f}x {:>8.2f} {:>10.3f} {:>11} {:>8}\n",
                         label(group.trials[i]), 1e3 * figure.median, figure.median / base, figure.mean_steps,
                         100 * figure.changed / std::max(figure.pixels, 1.0), counted(figure.mismatches),
                         counted(figure.in_band));
@@ -112,9 +119,12 @@ bool has_fault(const Group& group, const Measured& measured) {
   return false;
 }
 
-std::string file_name(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == ' ' || c == ','; }, '_');
+/// Of a trial's picture: what tells it from the others of its experiment.
+std::string file_name(const Trial& trial, std::array<int, 2> viewport) {
+  std::string text = fmt::format("{} {} {}x{} sun {:g} {}", trial.map, map_side(trial), viewport[0],
+                                 viewport[1], trial.scene.sun.elevation, label(trial));
+  std::erase(text, ',');
+  std::replace(text.begin(), text.end(), ' ', '_');
   return text;
 }
 
@@ -126,7 +136,7 @@ Result<Done> write_pictures(Engine& engine, const Group& group, const std::strin
   for (const Trial& trial : group.trials) {
     const Result<Rendered> rendered = engine.render(trial.scene);
     if (!rendered) return rendered.diagnostics();
-    const std::string stem = folder + "/" + file_name(trial.map + "_" + label(trial));
+    const std::string stem = folder + "/" + file_name(trial, {rendered->image.width, rendered->image.height});
     const Result<Done> written =
         image::write_png(stem + ".png", Engine::picture(*rendered, trial.scene, rendered->image));
     if (!written) return written;
@@ -173,6 +183,7 @@ Result<Done> write_json(const BenchArguments& arguments, Engine& engine, nlohman
 }  // namespace
 
 int run_command(const BenchArguments& arguments, Console& console) {
+  const bench::Experiment& experiment = *bench::find_experiment(arguments.experiment);
   Engine engine(
       {.shader_library = console.shader_library, .backend = arguments.backend, .device = arguments.device});
   bench::Options options{.sizes = arguments.sizes, .elevation = arguments.elevation};
@@ -183,20 +194,23 @@ int run_command(const BenchArguments& arguments, Console& console) {
   }
   nlohmann::json rows = nlohmann::json::array();
   int code = 0;
-  for (const Group& group : bench::find_experiment(arguments.experiment)->groups(options)) {
-    if (console.interrupted) return static_cast<int>(Failure::kInterrupted);
-    const Result<Measured> measured = bench::measure(engine, group, arguments.rounds);
-    if (!measured) return report(console, measured.diagnostics());
+  for (const Group& group : experiment.groups(options)) {
+    const Result<Measured> measured = bench::measure(engine, group, arguments.rounds, console.interrupted);
+    if (!measured) {
+      code = report(console, measured.diagnostics());
+      break;  // what was measured before is kept
+    }
     console.out << to_table(group, *measured) << std::flush;
     for (std::size_t i = 0; i < group.trials.size(); ++i)
       rows.push_back(to_json(group.trials[i], measured->figures[i], measured->pyramid_seconds));
     if (has_fault(group, *measured)) code = 1;
     if (arguments.pictures.empty()) continue;
     const Result<Done> written = write_pictures(engine, group, arguments.pictures);
-    if (!written) return report(console, written.diagnostics());
+    if (!written) code = worse(code, report(console, written.diagnostics()));
   }
-  if (arguments.json.empty()) return code;
+  if (arguments.json.empty() || rows.empty()) return code;
   const Result<Done> written = write_json(arguments, engine, std::move(rows));
+  if (code > 1 && written) console.err << arguments.json << ": holds what was measured before\n";
   return written ? code : worse(code, report(console, written.diagnostics()));
 }
 

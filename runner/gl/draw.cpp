@@ -3,6 +3,8 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+
 namespace gnomon::gl {
 namespace {
 
@@ -99,10 +101,18 @@ void clear_window(const Framebuffer& framebuffer, const Mesh& mesh, bool with_co
   glDisable(GL_SCISSOR_TEST);
 }
 
-void draw_mesh(const Mesh& mesh) {
+/// In parts: a hardware driver resets a context whose single draw takes seconds.
+void draw_mesh(const Mesh& mesh, GLuint program) {
+  constexpr int kMostVertices = 1 << 24;
   const DepthState state(mesh.faces);
   glViewport(mesh.first_texel.x, mesh.first_texel.y, mesh.size.x, mesh.size.y);
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, mesh.strip_vertices, mesh.strips);
+  const int part = std::max(kMostVertices / mesh.strip_vertices, 1);
+  const GLint first_strip = glGetUniformLocation(program, "u_first_strip");
+  for (int first = 0; first < mesh.strips; first += part) {
+    glProgramUniform1i(program, first_strip, first);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, mesh.strip_vertices, std::min(part, mesh.strips - first));
+    glFlush();
+  }
 }
 
 }  // namespace
@@ -110,7 +120,7 @@ void draw_mesh(const Mesh& mesh) {
 Result<Done> draw(const Pass& pass) {
   const Framebuffer framebuffer(pass);
   if (!framebuffer.complete()) {
-    return Diagnostic{.message = "the OpenGL driver cannot render to a float texture",
+    return Diagnostic{.message = "the OpenGL driver cannot render to a float or depth texture",
                       .failure = Failure::kMachine};
   }
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
@@ -118,7 +128,7 @@ Result<Done> draw(const Pass& pass) {
   bind_inputs(pass);
   if (pass.mesh) {
     clear_window(framebuffer, *pass.mesh, pass.target != nullptr);
-    draw_mesh(*pass.mesh);
+    draw_mesh(*pass.mesh, pass.program->name());
   } else {
     draw_pixels(pass);
   }

@@ -34,12 +34,12 @@ struct BufferInput {
 enum class Faces { kAll, kFront, kBack };
 
 /// A grid of triangles, drawn as instances of one strip each: the program places vertex gl_VertexID of strip
-/// gl_InstanceID, whose even vertices lie on the strip's first side. The nearest has the greatest depth;
-/// windows grow downward, so that triangles which turn clockwise there are the front ones.
+/// gl_InstanceID + u_first_strip, whose even vertices lie on the strip's first side. The nearest has the
+/// greatest depth; windows grow downward, so that triangles which turn clockwise there are the front ones.
 struct Mesh {
   int strips = 0;
   int strip_vertices = 0;
-  Faces faces = Faces::kAll;      ///< that are drawn
+  Faces faces = Faces::kAll;       ///< that are drawn
   const Texture* depth = nullptr;  ///< kDepth32F; cleared in the window before
   glm::ivec2 first_texel{};        ///< of the window
   glm::ivec2 size{};               ///< of the window, texels

@@ -14,9 +14,9 @@ enum class Format {
   kR32F,
   kRg32F,
   kRgba32F,
-  kR16,    ///< 0..65535, read as 0..1
-  kR16Ui,  ///< 0..65535, read as integers
-  kRgba8,  ///< 0..255, read as 0..1; linear, not sRGB
+  kR16,      ///< 0..65535, read as 0..1
+  kR16Ui,    ///< 0..65535, read as integers
+  kRgba8,    ///< 0..255, read as 0..1; linear, not sRGB
   kDepth32F  ///< what meshes are drawn with; read as floats
 };
 

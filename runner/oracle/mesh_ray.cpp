@@ -25,6 +25,15 @@ int cell_at(const std::vector<double>& nodes, double at) {
   return std::clamp(static_cast<int>(after - nodes.begin()) - 1, 0, static_cast<int>(nodes.size()) - 2);
 }
 
+/// Whether a node at (x, y), texels, has a height: a sample has one of its own.
+bool has_height(const Surface& surface, double x, double y) {
+  const double column = x - 0.5, row = y - 0.5;
+  if (column != std::floor(column) || row != std::floor(row)) return has_surface(surface, x, y);
+  const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(surface.width) +
+                  static_cast<std::size_t>(column);
+  return surface.samples[at] > Surface::kNoData;
+}
+
 /// The part of the ray in which an axis lies in low .. high.
 void cut(double origin, double rate, double low, double high, double& first, double& last) {
   if (rate == 0) {
@@ -61,8 +70,8 @@ std::optional<double> MeshTracer::hit_in_cell(const Track& track, int column, in
     // The corner off the diagonal, and the ends of the diagonal beside and above or below it.
     const double cx = first ? x0 : x1, cy = first ? y0 : y1;
     const double beside_x = first ? x1 : x0, beside_y = first ? y1 : y0;
-    if (!has_surface(surface_, cx, cy) || !has_surface(surface_, beside_x, cy) ||
-        !has_surface(surface_, cx, beside_y))
+    if (!has_height(surface_, cx, cy) || !has_height(surface_, beside_x, cy) ||
+        !has_height(surface_, cx, beside_y))
       continue;
     const double corner = surface_height(surface_, cx, cy);
     const double slope_x = (surface_height(surface_, beside_x, cy) - corner) / (beside_x - cx);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/build_camera.h"
 
+#include <cmath>
+
 #include "scene/values.h"
 
 namespace gnomon::scene {
@@ -13,6 +15,12 @@ constexpr const char* kOrthographic = "orthographic";
 
 std::array<double, 3> point(const Value& value) {
   return {value.array()[0].number(), value.array()[1].number(), value.array()[2].number()};
+}
+
+constexpr double kNearestTarget = 1e-6;  // metres
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 MapCamera read_map(const Value& value) {
@@ -40,10 +48,11 @@ ViewCamera read_view(const Value& value, ViewCamera::Projection projection, Repo
   if (const Value* size = value.find("size")) camera.size = integer_pair_of(*size);
   if (const Value* samples = value.find("samples")) camera.samples = integer_of(*samples);
   if (const Value* surface = value.find("surface")) camera.mesh = read_surface(*surface);
-  if (camera.eye == camera.target) {
+  if (distance(camera.eye, camera.target) < kNearestTarget) {
     report.error(value.find("target")->place,
                  std::string("/camera/") + (perspective ? kPerspective : kOrthographic) + "/target",
-                 "the target is the eye itself; expected another point, in the middle of the image");
+                 "the target is the eye itself; expected a point in the middle of the image, a micrometre or "
+                 "more away");
   }
   return camera;
 }

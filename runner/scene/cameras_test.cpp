@@ -60,8 +60,8 @@ TEST_F(CamerasTest, MistakesAreLocatedAtTheCamera) {
                    "\"c\": {\"perspective\": {\"eye\": [1, 2, 3], \"target\": [1, 2, 3]}},\n"
                    "\"d\": {\"mapp\": {}},\n\"e\": 5}")),
       "s.json:4:24: error: /cameras/b/map/size/0: expected an integer from 1 to 16384, got 0\n"
-      "s.json:5:51: error: /cameras/c/perspective/target: the target is the eye itself; expected another "
-      "point, in the middle of the image\n"
+      "s.json:5:51: error: /cameras/c/perspective/target: the target is the eye itself; expected a point in "
+      "the middle of the image, a micrometre or more away\n"
       "s.json:6:7: error: /cameras/d/mapp: unknown key \"mapp\"; did you mean \"map\"?\n"
       "s.json:7:6: error: /cameras/e: expected an object with \"map\", or an object with \"perspective\", or "
       "an "

@@ -209,11 +209,11 @@ TEST_F(FramesTest, MistakesOnTheWayNameTheFrameOrTheKey) {
             "Height of "
             "the sun above the horizon.\n"
             "s.json:3:64: error: /camera/perspective/eye: expected a list of exactly 3, each a number from "
-            "-1000000000.0 to 1000000000.0 (m), got 5. Where the camera stands: [x, y, z], x east and y "
+            "-10000000.0 to 10000000.0 (m), got 5. Where the camera stands: [x, y, z], x east and y "
             "north of the "
             "map's south-west corner, z above height 0.\n"
-            "s.json:3:84: error: /camera/perspective/target/2: expected a number from -1000000000.0 to "
-            "1000000000.0, "
+            "s.json:3:84: error: /camera/perspective/target/2: expected a number from -10000000.0 to "
+            "10000000.0, "
             "got \"x\"");
 }
 

@@ -217,8 +217,8 @@ TEST_F(Mistakes, InSunCameraAndShadow) {
             "s.json:3:12: error: /camera/panorama: unknown key \"panorama\"; expected one of \"map\", "
             "\"perspective\", \"orthographic\", \"points\"");
   EXPECT_EQ(member(R"("camera": {"perspective": {"eye": [1, 2, 3], "target": [1, 2, 3]}})"),
-            "s.json:3:56: error: /camera/perspective/target: the target is the eye itself; expected another "
-            "point, in the middle of the image");
+            "s.json:3:56: error: /camera/perspective/target: the target is the eye itself; expected a point "
+            "in the middle of the image, a micrometre or more away");
   EXPECT_EQ(
       member(R"("ground": {"albedo": {"heights": [{"height": 5, "colour": [0, 0, 0]},
 {"height": 5, "colour": [1, 1, 1]}]}})"),

@@ -97,14 +97,15 @@ using Camera = std::variant<MapCamera, ViewCamera, PointsCamera>;
 /// Of the method cascaded_shadow_maps.
 struct Cascades {
   enum class Faces { kAll, kFront, kBack };
-  int count = 4;                     ///< 1..4
-  int size = 2048;                   ///< texels a side of each
-  double split = 0.75;               ///< 0: slices of equal depth; 1: of equal ratio
-  std::optional<double> distance{};  ///< metres from the eye beyond which nothing is shadowed; absent: all
-  double bias = 0.5;                 ///< texels
-  double slope_bias = 0.5;           ///< texels for each tangent of the angle between sun and normal
-  int filter = 3;                    ///< texels a side: 1, 3, 5 or 7
-  bool stable = true;  ///< slices keep their size and snap to whole texels when the camera turns or moves
+  int count = 4;        ///< 1..4
+  int size = 2048;      ///< texels a side of each
+  double split = 0.75;  ///< 0: slices of equal depth; 1: of equal ratio
+  std::optional<double>
+      distance{};             ///< metres of depth to which maps are fitted; absent: all that is visible
+  double bias = 0.5;          ///< texels
+  double slope_bias = 0.5;    ///< texels for each tangent of the angle between sun and normal
+  int filter = 3;             ///< texels a side: 1, 3, 5 or 7
+  bool stable = true;         ///< maps change their size seldom and snap to whole texels
   Faces faces = Faces::kAll;  ///< that are drawn into the maps
   int step = 1;               ///< of the mesh, samples
 };

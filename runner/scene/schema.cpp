@@ -31,9 +31,10 @@ bool has_type(const Value& value, std::string_view type) {
 
 std::string describe_number(const Value& node, const std::string& noun) {
   const Value *least = node.find("minimum"), *most = node.find("maximum"),
-              *above = node.find("exclusiveMinimum");
+              *above = node.find("exclusiveMinimum"), *below = node.find("exclusiveMaximum");
   if (least && most) return noun + " from " + dump(*least) + " to " + dump(*most);
   if (least) return noun + " of at least " + dump(*least);
+  if (above && below) return noun + " above " + dump(*above) + " and below " + dump(*below);
   if (above) return noun + " above " + dump(*above);
   return noun;
 }

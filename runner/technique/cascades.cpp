@@ -16,7 +16,6 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
-using Corners = std::vector<dvec3>;  ///< of a convex body, metres
 
 /// The sun's view: as an orthographic camera's rays, a pixel of 1 metre.
 CameraRays light_rays(dvec3 to_sun, dvec3 eye) {
@@ -28,15 +27,6 @@ CameraRays light_rays(dvec3 to_sun, dvec3 eye) {
                       .size = {1, 1}});
 }
 
-Corners box_of(const Pyramid& pyramid) {
-  const dvec2 size = dvec2(pyramid.domain) * dvec2(pyramid.spacing);
-  Corners corners;
-  for (const double z : {double{pyramid.lowest}, double{pyramid.highest}}) {
-    for (const dvec2 at : {dvec2(0), dvec2(size.x, 0), dvec2(0, size.y), size}) corners.emplace_back(at, z);
-  }
-  return corners;
-}
-
 /// How far along a camera's `forward` the points of a render lie: nearest and farthest, in metres; absent
 /// where it sees none.
 std::optional<dvec2> seen_depths(const CameraRays& rays, const Ground& ground) {
@@ -45,8 +35,7 @@ std::optional<dvec2> seen_depths(const CameraRays& rays, const Ground& ground) {
     if (ground.valid[i] == 0) continue;
     const auto x = static_cast<double>(i % static_cast<std::size_t>(ground.size.x));
     const auto y = static_cast<double>(i / static_cast<std::size_t>(ground.size.x));
-    const double depth =
-        double{ground.depth[i]} / glm::length(rays.ray(dvec2(x, y) + 0.5).direction);
+    const double depth = double{ground.depth[i]} / glm::length(rays.ray(dvec2(x, y) + 0.5).direction);
     depths = {std::min(depths.x, depth), std::max(depths.y, depth)};
   }
   if (depths.x > depths.y) return std::nullopt;
@@ -66,7 +55,8 @@ double split_depth(dvec2 depths, int slice, const scene::Cascades& cascades) {
 Corners slice_of(const CameraRays& rays, double from, double to) {
   Corners corners;
   for (const double depth : {from, to}) {
-    for (const dvec2 pixel : {dvec2(0), dvec2(2 * rays.middle.x, 0), dvec2(0, 2 * rays.middle.y), 2.0 * rays.middle}) {
+    for (const dvec2 pixel :
+         {dvec2(0), dvec2(2 * rays.middle.x, 0), dvec2(0, 2 * rays.middle.y), 2.0 * rays.middle}) {
       const ViewRay ray = rays.ray(pixel);
       corners.push_back(ray.origin + depth * ray.direction);
     }
@@ -80,25 +70,28 @@ struct Box2 {
   [[nodiscard]] double side() const { return std::max(high.x - low.x, high.y - low.y); }
 };
 
-Box2 seen_by(const CameraRays& light, const Corners& corners) {
+/// `room`: metres on each side, for receivers above the ground.
+Box2 seen_by(const CameraRays& light, const Corners& corners, double room) {
   Box2 box;
   for (const dvec3& corner : corners) {
     const dvec3 to = corner - light.eye;
     const dvec2 at(glm::dot(to, light.right), glm::dot(to, light.down));
     box = {glm::min(box.low, at), glm::max(box.high, at)};
   }
-  return box;
+  return {box.low - room, box.high + room};
 }
 
-/// A square of a side that does not change when the slice turns.
-Box2 around(const CameraRays& light, const Corners& corners) {
+/// A square whose side does not change when the slice turns.
+Box2 around(const CameraRays& light, const Corners& corners, double room) {
   dvec3 centre(0);
   for (const dvec3& corner : corners) centre += corner / double(corners.size());
-  double radius = 0;
-  for (const dvec3& corner : corners) radius = std::max(radius, glm::distance(centre, corner));
+  double radius = room;
+  for (const dvec3& corner : corners) radius = std::max(radius, glm::distance(centre, corner) + room);
+  // A camera that moves sees a little farther or nearer: the side changes by steps of a fifth, seldom.
+  const double steady = std::exp2(std::ceil(4 * std::log2(std::max(radius, 1e-6))) / 4);
   const dvec3 to = centre - light.eye;
   const dvec2 at(glm::dot(to, light.right), glm::dot(to, light.down));
-  return {at - radius, at + radius};
+  return {at - steady, at + steady};
 }
 
 /// Texels that a cascade keeps free on each side for the filter and for snapping.
@@ -115,11 +108,11 @@ CascadeSquare square_of(const Box2& box, const scene::Cascades& cascades) {
 }
 
 /// The slice's square, or the whole map's part that it may hold, where that is smaller.
-Box2 slice_box(const CameraRays& light, const Corners& slice, const Box2& map, const scene::Cascades& cascades) {
-  const Box2 tight = seen_by(light, slice);
+Box2 slice_box(const CameraRays& light, const Corners& slice, const Box2& map, const scene::Shadow& shadow) {
+  const Box2 tight = seen_by(light, slice, shadow.receiver_height);
   const Box2 held{glm::max(tight.low, map.low), glm::min(tight.high, map.high)};
-  if (!cascades.stable) return held.low.x < held.high.x && held.low.y < held.high.y ? held : tight;
-  const Box2 steady = around(light, slice);
+  if (!shadow.cascades.stable) return held.low.x < held.high.x && held.low.y < held.high.y ? held : tight;
+  const Box2 steady = around(light, slice, shadow.receiver_height);
   return steady.side() < map.side() ? steady : map;
 }
 
@@ -135,7 +128,7 @@ CascadeFit fit_cascades(const scene::Scene& scene, const Ground& ground, const P
                  .down = light.down,
                  .forward = light.forward,
                  .range = extent.y - extent.x + 2 * room};
-  const Box2 map = seen_by(light, box_of(pyramid));
+  const Box2 map = seen_by(light, box_of(pyramid), scene.shadow.receiver_height);
   const auto* camera = std::get_if<scene::ViewCamera>(&scene.camera);
   const scene::Cascades& cascades = scene.shadow.cascades;
   std::optional<dvec2> depths;
@@ -152,8 +145,10 @@ CascadeFit fit_cascades(const scene::Scene& scene, const Ground& ground, const P
   for (int i = 0; i < cascades.count; ++i) {
     const Corners slice =
         slice_of(rays, split_depth(*depths, i, cascades), split_depth(*depths, i + 1, cascades));
-    fit.squares.push_back(square_of(slice_box(light, slice, map, cascades), cascades));
+    fit.squares.push_back(square_of(slice_box(light, slice, map, scene.shadow), cascades));
   }
+  std::stable_sort(fit.squares.begin(), fit.squares.end(),
+                   [](const CascadeSquare& a, const CascadeSquare& b) { return a.texel < b.texel; });
   return fit;
 }
 
@@ -214,7 +209,8 @@ Result<Done> draw_square(const gl::Program& program, const Pyramid& pyramid, con
 
 Result<CascadeMaps> draw_cascades(ProgramCache& programs, const Pyramid& pyramid, const scene::Scene& scene,
                                   const Ground& ground, double& seconds) {
-  const Result<const CachedProgram*> program = programs.get("programs/light.frag", "programs/mesh.vert");
+  const Result<const CachedProgram*> program =
+      programs.get(pyramid.holes ? "programs/light_holes.frag" : "programs/light.frag", "programs/mesh.vert");
   if (!program) return program.diagnostics();
   const scene::Cascades& cascades = scene.shadow.cascades;
   const CascadeFit fit = fit_cascades(scene, ground, pyramid);
@@ -222,7 +218,11 @@ Result<CascadeMaps> draw_cascades(ProgramCache& programs, const Pyramid& pyramid
   const int rows = fit.squares.size() > 2 ? 2 : 1;
   Result<gl::Texture> nearness =
       gl::Texture::create(gl::Format::kDepth32F, {columns * cascades.size, rows * cascades.size});
-  if (!nearness) return nearness.diagnostics();
+  if (!nearness) {
+    return Diagnostic{.message = "shadow.cascades.size " + std::to_string(cascades.size) + ": " +
+                                 nearness.diagnostics().front().message,
+                      .failure = nearness.diagnostics().front().failure};
+  }
   const auto begin = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < fit.squares.size(); ++i) {
     const Result<Done> drawn = draw_square((*program)->program, pyramid, fit, i, cascades, *nearness);

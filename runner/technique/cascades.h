@@ -34,7 +34,8 @@ struct CascadeFit {
 /// Fits them to the slices of a perspective or orthographic camera between the nearest and the farthest point
 /// of `ground` (with their filter's margin), never larger than the whole map needs; other cameras get one for
 /// the whole map. Zhang et al. 2006, eq. 6 for the slices.
-[[nodiscard]] CascadeFit fit_cascades(const scene::Scene& scene, const Ground& ground, const Pyramid& pyramid);
+[[nodiscard]] CascadeFit fit_cascades(const scene::Scene& scene, const Ground& ground,
+                                      const Pyramid& pyramid);
 
 /// Drawn maps, and what programs/light_pass.glsl takes.
 struct CascadeMaps {

@@ -161,20 +161,23 @@ Result<Ground> points_ground(const image::Image& image, const std::string& file,
   return ground;
 }
 
-Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& camera,
-                        const scene::Shadow& shadow, glm::dvec2 offset) {
+namespace {
+
+/// What the pixels of a window of the image see; `first`: the window's upper left pixel.
+Ground reference_window(const terrain::HeightMap& map, const scene::ViewCamera& camera,
+                        const scene::Shadow& shadow, glm::ivec2 size, glm::dvec2 first) {
   const CameraRays rays = camera_rays(camera);
   const oracle::Surface surface = surface_of(map);
   const auto first_hit = tracer_of(surface, camera);
   const MapHost host(map);
   const Modules::GnomonMap taken = host.map();
   const int coarsest = coarsest_of(map);
-  Ground ground = empty_ground({camera.size[0], camera.size[1]}, shadow);
+  Ground ground = empty_ground(size, shadow);
   ground.depth.resize(ground.pixels());
   std::size_t i = 0;
   for (int y = 0; y < ground.size.y; ++y) {
     for (int x = 0; x < ground.size.x; ++x, ++i) {
-      const auto [origin, direction] = rays.ray(glm::dvec2(x + 0.5, y + 0.5) + offset);
+      const auto [origin, direction] = rays.ray(glm::dvec2(x + 0.5, y + 0.5) + first);
       const auto hit = first_hit({{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}});
       if (!hit) continue;
       const glm::dvec3 at = origin + *hit * direction;
@@ -195,6 +198,18 @@ Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& 
     }
   }
   return ground;
+}
+
+}  // namespace
+
+Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& camera,
+                        const scene::Shadow& shadow, glm::dvec2 offset) {
+  return reference_window(map, camera, shadow, {camera.size[0], camera.size[1]}, offset);
+}
+
+Ground reference_pixel(const terrain::HeightMap& map, const scene::ViewCamera& camera,
+                       const scene::Shadow& shadow, glm::ivec2 pixel) {
+  return reference_window(map, camera, shadow, {1, 1}, glm::dvec2(pixel));
 }
 
 }  // namespace gnomon::technique

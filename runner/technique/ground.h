@@ -75,4 +75,8 @@ void leave_out_holes(Ground& ground, const terrain::HeightMap& map);
 [[nodiscard]] Ground reference_ground(const terrain::HeightMap& map, const scene::ViewCamera& camera,
                                       const scene::Shadow& shadow, glm::dvec2 offset = {});
 
+/// The same for one pixel alone: a ground of that one.
+[[nodiscard]] Ground reference_pixel(const terrain::HeightMap& map, const scene::ViewCamera& camera,
+                                     const scene::Shadow& shadow, glm::ivec2 pixel);
+
 }  // namespace gnomon::technique

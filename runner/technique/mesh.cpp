@@ -20,12 +20,19 @@ gl::Mesh grid_mesh(const Pyramid& pyramid, int step, gl::Faces faces) {
           .faces = faces};
 }
 
+Corners box_of(const Pyramid& pyramid) {
+  const glm::dvec2 far_corner = glm::dvec2(pyramid.domain) * glm::dvec2(pyramid.spacing);
+  Corners corners;
+  for (int i = 0; i < 8; ++i) {
+    corners.emplace_back((i & 1) != 0 ? far_corner.x : 0.0, (i & 2) != 0 ? far_corner.y : 0.0,
+                         double{(i & 4) != 0 ? pyramid.highest : pyramid.lowest});
+  }
+  return corners;
+}
+
 glm::dvec2 extent_along(const Pyramid& pyramid, glm::dvec3 origin, glm::dvec3 direction) {
   glm::dvec2 extent(std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest());
-  const glm::dvec2 far_corner = glm::dvec2(pyramid.domain) * glm::dvec2(pyramid.spacing);
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 corner((i & 1) != 0 ? far_corner.x : 0.0, (i & 2) != 0 ? far_corner.y : 0.0,
-                            double{(i & 4) != 0 ? pyramid.highest : pyramid.lowest});
+  for (const glm::dvec3& corner : box_of(pyramid)) {
     const double along = glm::dot(corner - origin, direction);
     extent = {std::min(extent.x, along), std::max(extent.y, along)};
   }

@@ -8,8 +8,7 @@
 #include "technique/hash.h"
 
 namespace gnomon::technique {
-Result<CachedProgram> ProgramCache::make(const std::string& fragment,
-                                                 const std::string& vertex_stage) const {
+Result<CachedProgram> ProgramCache::make(const std::string& fragment, const std::string& vertex_stage) const {
   const auto path = [&](const std::string& name) {
     return (std::filesystem::path(options_.library_directory) / name).lexically_normal().string();
   };
@@ -31,10 +30,11 @@ Result<CachedProgram> ProgramCache::make(const std::string& fragment,
 }
 
 Result<const CachedProgram*> ProgramCache::get(const std::string& fragment, const std::string& vertex) {
-  if (const auto it = programs_.find(fragment); it != programs_.end()) return &it->second;
+  const std::pair stages(vertex, fragment);
+  if (const auto it = programs_.find(stages); it != programs_.end()) return &it->second;
   Result<CachedProgram> made = make(fragment, vertex);
   if (!made) return made.diagnostics();
-  return &programs_.emplace(fragment, std::move(made).value()).first->second;
+  return &programs_.emplace(stages, std::move(made).value()).first->second;
 }
 
 }  // namespace gnomon::technique

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/program.h"
@@ -33,7 +34,7 @@ class ProgramCache {
   [[nodiscard]] Result<CachedProgram> make(const std::string& fragment, const std::string& vertex) const;
 
   compiler::Options options_;
-  std::map<std::string, CachedProgram> programs_;  ///< by fragment program, each of which has one vertex program
+  std::map<std::pair<std::string, std::string>, CachedProgram> programs_;  ///< by vertex and fragment stage
 };
 
 }  // namespace gnomon::technique

@@ -134,7 +134,8 @@ Result<Pyramid> build_pyramid(ProgramCache& programs, const terrain::HeightMap& 
                  .domain = glm::vec2(glm::dvec2(base.domain_width, base.domain_height) * scale),
                  .spacing = glm::vec2(glm::dvec2(base.spacing_x, base.spacing_y) / scale),
                  .highest = *std::max_element(top.begin(), top.end()),
-                 .lowest = lowest_sample(base)};
+                 .lowest = lowest_sample(base),
+                 .holes = base.holes};
 }
 
 }  // namespace gnomon::technique

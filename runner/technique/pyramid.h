@@ -25,6 +25,7 @@ struct Pyramid {
   glm::vec2 spacing{};  ///< metres a texel of H_q
   float highest = 0;    ///< sample, metres
   float lowest = 0;     ///< of the base map, metres
+  bool holes = false;   ///< whether the base map has some
 
   [[nodiscard]] int top_level() const { return extrema.levels(); }
 };

@@ -47,8 +47,9 @@ struct View {
 
 Result<View> view_of(ProgramCache& programs, const Pyramid& base, const scene::ViewCamera& camera,
                      const CameraRays& rays) {
-  const Result<const CachedProgram*> program =
-      camera.mesh ? programs.get("programs/mesh.frag", "programs/mesh.vert") : programs.get("programs/view.frag");
+  const Result<const CachedProgram*> program = camera.mesh
+                                                   ? programs.get("programs/mesh.frag", "programs/mesh.vert")
+                                                   : programs.get("programs/view.frag");
   if (!program) return program.diagnostics();
   if (!camera.mesh) return View{.program = *program};
   const auto faces = camera.mesh->cull_back_faces ? gl::Faces::kFront : gl::Faces::kAll;
@@ -75,8 +76,8 @@ Result<Ground> seen_ground(ProgramCache& programs, const Pyramid& base, const sc
   uniforms.emplace_back("u_max_anisotropy", static_cast<float>(shadow.max_anisotropy));
   uniforms.emplace_back("u_coarsest", terrain::coarsest_level(base.size.x, base.size.y));
   for (const Tile& tile : tiles_of(ground.size)) {
-    const Result<Texels> texels = draw_tile(tile, view->program->program, uniforms, map_samplers(base), {},
-                                            draw_seconds, view->mesh);
+    const Result<Texels> texels =
+        draw_tile(tile, view->program->program, uniforms, map_samplers(base), {}, draw_seconds, view->mesh);
     if (!texels) return texels.diagnostics();
     if (const Result<Done> stored = store(*texels, tile, ground); !stored) return stored.diagnostics();
   }

@@ -55,8 +55,8 @@ struct Texels {
   }
 };
 
-/// Draws one tile of an image, or of a mesh where one is given, into an RGBA32F target and reads it back; adds
-/// the draw's own time to `seconds`, where given. The mesh's window and depth are those of the tile.
+/// Draws one tile of an image, or of a mesh where one is given, into an RGBA32F target and reads it back;
+/// adds the draw's own time to `seconds`, where given. The mesh's window and depth are those of the tile.
 [[nodiscard]] Result<Texels> draw_tile(const Tile& tile, const gl::Program& program, Uniforms uniforms,
                                        std::vector<gl::Sampler> samplers,
                                        std::vector<gl::BufferInput> buffers, double* seconds,

@@ -116,7 +116,10 @@ Result<Point> any_point_of(const scene::Scene& scene, const terrain::HeightMap& 
   const auto& camera = std::get<scene::ViewCamera>(scene.camera);
   if (const auto wrong = no_such_pixel(pixel, {camera.size[0], camera.size[1]})) return *wrong;
   // Triangles are drawn by the GPU alone: here rays in double precision meet them, a last bit beside.
-  if (camera.mesh) return of_image(technique::reference_ground(base, camera, scene.shadow), pixel);
+  if (camera.mesh) {
+    return Point{.ground = technique::reference_pixel(base, camera, scene.shadow, pixel),
+                 .image_size = {camera.size[0], camera.size[1]}};
+  }
   return seen(camera, scene.shadow, base, pixel);
 }
 

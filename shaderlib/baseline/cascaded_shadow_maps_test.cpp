@@ -88,11 +88,11 @@ TEST(CascadeOf, IsTheFinestThatHoldsTheFilterToo) {
 TEST(CascadeBias, GrowsWithTexelFilterAndSlope) {
   const MapModules modules(flat_map(2, 2));
   M::GnomonLight taken = light();
-  EXPECT_FLOAT_EQ(modules.gnomon_cascade_bias(taken, 2, 1), 1.0F) << "half a texel";
+  EXPECT_NEAR(modules.gnomon_cascade_bias(taken, 2, 1), 1.0F, 1e-4F) << "half a texel";
   taken.slope_bias = 1;
-  EXPECT_FLOAT_EQ(modules.gnomon_cascade_bias(taken, 2, kDiagonal), 3.0F) << "and one for 45 degrees";
+  EXPECT_NEAR(modules.gnomon_cascade_bias(taken, 2, kDiagonal), 3.0F, 1e-4F) << "and one for 45 degrees";
   taken.filter_width = 5;
-  EXPECT_FLOAT_EQ(modules.gnomon_cascade_bias(taken, 2, kDiagonal), 7.0F) << "and two for the filter";
+  EXPECT_NEAR(modules.gnomon_cascade_bias(taken, 2, kDiagonal), 7.0F, 1e-4F) << "and two for the filter";
   EXPECT_LT(modules.gnomon_cascade_bias(taken, 2, 0), 400.0F) << "bounded at grazing light";
 }
 
@@ -107,14 +107,50 @@ TEST(CascadeShare, CountsTheFiltersTexels) {
   EXPECT_FLOAT_EQ(modules.gnomon_cascade_share(taken, 0, vec2(20, 5.5F), 0.5F), 0.0F);
 }
 
-TEST(TowardsSun, MovesAThousandthOfATexelButNotOffTheMap) {
-  const MapModules modules(flat_map(4, 4));
-  const auto middle = modules.gnomon_receiver_at(2, 2, 0);
-  const vec2 moved = modules.gnomon_towards_sun(modules.map(), middle, normalize(vec3(3, 4, 1)));
-  EXPECT_NEAR(moved.x, 2.0006F, 1e-6F);
-  EXPECT_NEAR(moved.y, 1.9992F, 1e-6F) << "north is up the rows";
+TEST(CascadeLift, IsLessTheHigherAReceiverStandsAndNoneForGroundThatFacesAway) {
+  const MapModules modules(flat_map(2, 2));
+  M::GnomonLight taken = light();
+  taken.slope_bias = 1;
+  const M::GnomonGridPoint flat{.height = 0, .normal = vec3(0, 0, 1), .hole = false};
+  const float least = modules.gnomon_cascade_bias(taken, 2, 1);
+  const float whole = modules.gnomon_cascade_bias(taken, 2, kDiagonal);
+  EXPECT_FLOAT_EQ(modules.gnomon_cascade_lift(taken, 2, flat, kToSun, 0), whole);
+  EXPECT_FLOAT_EQ(modules.gnomon_cascade_lift(taken, 2, flat, kToSun, 1), whole - 1 / kDiagonal);
+  EXPECT_FLOAT_EQ(modules.gnomon_cascade_lift(taken, 2, flat, kToSun, 100), least);
+  const M::GnomonGridPoint away{.height = 0, .normal = vec3(-0.8F, 0, 0.6F), .hole = false};
+  EXPECT_FLOAT_EQ(modules.gnomon_cascade_lift(taken, 2, away, kToSun, 0.001F), least);
+}
+
+TEST(TowardsSun, MovesAThousandthOfATexelButNotOffTheMapNorIntoAHole) {
+  terrain::HeightMap map = flat_map(4, 4);
+  const MapModules modules(map);
+  const auto place = [](const M::GnomonReceiver& r) { return vec2(r.patch_index) - vec2(0.5F) + r.fraction; };
+  const auto middle = modules.gnomon_receiver_at(2, 2, 3);
+  const auto moved = modules.gnomon_towards_sun(modules.map(), middle, normalize(vec3(3, 4, 1)), 0);
+  EXPECT_NEAR(place(moved).x, 2.0006F, 1e-6F);
+  EXPECT_NEAR(place(moved).y, 1.9992F, 1e-6F) << "north is up the rows";
+  EXPECT_EQ(moved.height, 3.0F);
   const auto edge = modules.gnomon_receiver_at(4, 2, 0);
-  EXPECT_EQ(modules.gnomon_towards_sun(modules.map(), edge, vec3(1, 0, 0)), vec2(4, 2));
+  EXPECT_EQ(place(modules.gnomon_towards_sun(modules.map(), edge, vec3(1, 0, 0), 0)), vec2(4, 2));
+  map.samples[6] = terrain::kNoSample;  // column 2, row 1
+  map.holes = true;
+  const MapModules with_hole(map);
+  const auto beside = with_hole.gnomon_receiver_at(1.5F, 1.5F, 0);
+  const auto kept = with_hole.gnomon_towards_sun(with_hole.map(), beside, vec3(1, 0, 0), 0);
+  EXPECT_EQ(place(kept), vec2(1.5F, 1.5F));
+  EXPECT_TRUE(with_hole.gnomon_patch_has_surface(kept.patch_index, 0));
+}
+
+TEST(MeshUnder, IsTheSurfaceItselfWhereAHoleCutsTheTriangleAway) {
+  terrain::HeightMap map = flat_map(9, 9, 7);
+  map.samples[0] = terrain::kNoSample;
+  map.holes = true;
+  const MapModules modules(map);
+  const auto receiver = modules.gnomon_receiver_at(2.5F, 1.5F, 0);
+  EXPECT_TRUE(modules.gnomon_grid_point(modules.map(), 2.5F, 1.5F, 4, 0).hole);
+  const auto on = modules.gnomon_mesh_under(modules.map(), receiver, 4, 0);
+  EXPECT_EQ(on.height, 7.0F);
+  EXPECT_EQ(on.normal, vec3(0, 0, 1));
 }
 
 }  // namespace

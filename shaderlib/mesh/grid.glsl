@@ -7,6 +7,7 @@
 #define GNOMON_MESH_GRID_GLSL
 
 #include <gnomon/core/ray.glsl>
+#include <gnomon/core/surface.glsl>
 
 // Nodes along an axis: the first and the last sample, each `step`-th between them, and one on either edge of the domain.
 int gnomon_grid_nodes(int samples, int step) {
@@ -27,12 +28,13 @@ int gnomon_grid_cell(float coordinate, int samples, int step) {
   return clamp(int(floor((coordinate - 0.5f) / float(step))) + 1, 0, last);
 }
 
-// Height of a node at (column, row) in texels of the level, metres; GNOMON_NO_SAMPLE where there is no surface.
+// Height of a node at (column, row) in texels of the level, metres; GNOMON_NO_SAMPLE where it has none: on a sample without
+// data, or between samples where there is no surface.
 float gnomon_grid_height(float column, float row, int q) {
   ivec2 here = ivec2(int(floor(column)), int(floor(row)));
   bool on_sample = column - floor(column) == 0.5f && row - floor(row) == 0.5f;
   if (on_sample) return gnomon_host_height(here, q);
-  GnomonReceiver at = gnomon_receiver_at(column, row, 0.0f);
+  GnomonReceiver at = gnomon_on_surface(gnomon_receiver_at(column, row, 0.0f), q);
   float base = gnomon_host_height(at.patch_index, q);
   GnomonPatch under = gnomon_patch(at.patch_index, base, q);
   return under.hole ? GNOMON_NO_SAMPLE : base + gnomon_patch_height(under, at.fraction);
@@ -42,10 +44,10 @@ float gnomon_grid_height(float column, float row, int q) {
 struct GnomonGridPoint {
   float height;  // metres
   vec3 normal;   // of its triangle, unit: x east, y north, z up
+  bool hole;     // a node of the triangle has no height: nothing else has a meaning
 };
 
 // The mesh at (column, row) in texels of the level. Cells are cut from their south-western to their north-eastern node.
-// Without a meaning where a node of the cell has no surface.
 GnomonGridPoint gnomon_grid_point(GnomonMap map, float column, float row, int step, int q) {
   int west = gnomon_grid_cell(column, map.size.x, step);
   int north = gnomon_grid_cell(row, map.size.y, step);
@@ -63,6 +65,7 @@ GnomonGridPoint gnomon_grid_point(GnomonMap map, float column, float row, int st
   vec2 rise = first ? vec2(north_east - corner, south_west - corner) : vec2(corner - south_west, corner - north_east);
   vec2 from = first ? at : vec2(at.x - 1.0f, at.y - 1.0f);
   GnomonGridPoint point;
+  point.hole = !gnomon_is_sample(min(corner, min(north_east, south_west)));
   point.height = corner + (rise.x * from.x + rise.y * from.y);
   point.normal = normalize(vec3(-rise.x / (size.x * map.spacing.x), rise.y / (size.y * map.spacing.y), 1.0f));
   return point;

@@ -71,6 +71,15 @@ TEST(GridHeight, IsTheSampleOnASampleAndTheSurfaceElsewhere) {
   EXPECT_EQ(with_hole.gnomon_grid_height(1.5F, 1.5F, 0), 10.0F);
 }
 
+TEST(GridHeight, OnTheEdgeBesideAHoleIsThatOfThePatchThatHasASurface) {
+  terrain::HeightMap map = plane(5, 4, 2, 8);
+  map.samples[5] = terrain::kNoSample;  // column 0, row 1
+  map.holes = true;
+  const MapModules modules(map);
+  EXPECT_EQ(modules.gnomon_grid_height(0.0F, 2.5F, 0), 16.0F) << "its southern patch is whole";
+  EXPECT_EQ(modules.gnomon_grid_height(0.0F, 1.5F, 0), GNOMON_NO_SAMPLE);
+}
+
 TEST(GridPoint, OfAPlaneIsThePlaneWhateverTheStep) {
   terrain::HeightMap map = plane(12, 9, 3, -2);
   map.spacing_x = 10;
@@ -95,6 +104,16 @@ TEST(GridPoint, CutsCellsFromSouthWestToNorthEast) {
   EXPECT_EQ(modules.gnomon_grid_point(modules.map(), 0.75F, 0.75F, 1, 0).height, 2.0F);
   map.samples = {4, 0, 0, 4};  // a valley
   EXPECT_EQ(MapModules(map).gnomon_grid_point(modules.map(), 1, 1, 1, 0).height, 0.0F);
+}
+
+TEST(GridPoint, TellsWhereANodeOfItsTriangleHasNoHeight) {
+  terrain::HeightMap map = flat_map(4, 4, 7);
+  map.samples[5] = terrain::kNoSample;  // column 1, row 1
+  map.holes = true;
+  const MapModules modules(map);
+  EXPECT_TRUE(modules.gnomon_grid_point(modules.map(), 1.6F, 1.6F, 1, 0).hole);
+  EXPECT_FALSE(modules.gnomon_grid_point(modules.map(), 2.4F, 2.4F, 1, 0).hole)
+      << "the other triangle of the cell";
 }
 
 TEST(GridPoint, LeavesOutWhatLiesBetweenItsNodes) {

@@ -94,7 +94,7 @@ M::GnomonGridPoint largest_of_point(const M& modules, M::GnomonMap map, float co
   const float smallest_side = std::min(std::max(x(west + 1) - x(west), 1e-6F) * map.spacing.x,
                                        std::max(y(north + 1) - y(north), 1e-6F) * map.spacing.y);
   // Heights on nodes between samples are rounded sums.
-  return {.height = 4 * largest, .normal = vec3(1 + largest / smallest_side)};
+  return {.height = 4 * largest, .normal = vec3(1 + largest / smallest_side), .hole = false};
 }
 
 std::vector<Row> grid_point_rows() {
@@ -104,6 +104,14 @@ std::vector<Row> grid_point_rows() {
         return std::tuple{r.map(), r.coordinate(133), r.coordinate(70), r.whole(1, 20), 0};
       },
       largest_of_point)};
+}
+
+// The root of a difference that cancels near 1.
+float largest_bias(const M::GnomonLight& taken, float texel, float facing) {
+  const float sine = std::sqrt(std::max(1 - facing * facing, 0.0F));
+  const float moved = (sine + std::min(0.5F / std::max(sine, 1e-30F), 4096.0F)) / std::max(facing, 1e-3F);
+  const float widest = 0.5F * static_cast<float>(taken.filter_width - 1);
+  return taken.range + texel * (taken.bias + (taken.slope_bias + widest) * (64 + moved));
 }
 
 std::vector<Row> cascade_rows() {
@@ -118,30 +126,54 @@ std::vector<Row> cascade_rows() {
                        const auto taken = light(r);
                        return std::tuple{taken, plane(r) * (taken.cascade[0].texel * 0.1F)};
                      })),
-      // The root of a difference that cancels near 1.
       within_4_ulp(
           "gnomon_cascade_bias", &M::gnomon_cascade_bias,
           [](Random& r) {
             return std::tuple{light(r), std::abs(r.power_of_ten(-2, 2)), r.fraction()};
           },
           [](const M&, M::GnomonLight taken, float texel, float facing) {
-            const float sine = std::sqrt(std::max(1 - facing * facing, 0.0F));
-            const float share = std::max(facing, 1e-3F);
-            const float moved = (sine + std::min(0.5F / std::max(sine, 1e-30F), 4096.0F)) / share;
-            const float widest = 0.5F * static_cast<float>(taken.filter_width - 1);
-            return texel * (taken.bias + (taken.slope_bias + widest) * (64 + moved));
+            return largest_bias(taken, texel, facing);
           }),
       exact("gnomon_cascade_share", &M::gnomon_cascade_share,
             [](Random& r) {
               return std::tuple{light(r), r.whole(0, 3), vec2(r.between(0, 1024), r.between(0, 1024)),
                                 r.between(-0.1F, 1.1F)};
             }),
-      within_4_ulp(
+      // A sum of a coordinate and a thousandth.
+      deciding(within_4_ulp(
           "gnomon_towards_sun", &M::gnomon_towards_sun,
           [](Random& r) {
-            return std::tuple{r.map(), r.receiver(), r.sun()};
+            return std::tuple{r.map(), r.receiver(), r.sun(), 0};
           },
-          [](const M&, M::GnomonMap map, M::GnomonReceiver, vec3) { return map.domain + vec2(1); }),
+          [](const M&, M::GnomonMap map, M::GnomonReceiver, vec3, int) {
+            return M::GnomonReceiver{.patch_index = ivec2(0), .fraction = map.domain + vec2(1), .height = 0};
+          })),
+      within_4_ulp(
+          "gnomon_mesh_under", &M::gnomon_mesh_under,
+          [](Random& r) {
+            return std::tuple{r.map(), r.receiver(), r.whole(1, 20), 0};
+          },
+          [](const M& modules, M::GnomonMap map, M::GnomonReceiver receiver, int step, int q) {
+            const vec2 at = vec2(receiver.patch_index) - vec2(0.5F) + receiver.fraction;
+            const auto p = modules.gnomon_patch(receiver.patch_index,
+                                                modules.gnomon_host_height(receiver.patch_index, q), q);
+            M::GnomonGridPoint largest = largest_of_point(modules, map, at.x, at.y, step, q);
+            largest.height += 4 * Bilinear(p, receiver.fraction).of_height();
+            largest.normal += (std::abs(p.slope.x) + std::abs(p.slope.y) + std::abs(p.twist)) /
+                              std::min(map.spacing.x, map.spacing.y);
+            return largest;
+          }),
+      within_4_ulp(
+          "gnomon_cascade_lift", &M::gnomon_cascade_lift,
+          [](Random& r) {
+            const M::GnomonGridPoint on{.height = 0, .normal = direction(r), .hole = false};
+            return std::tuple{light(r), std::abs(r.power_of_ten(-2, 2)), on, r.sun(),
+                              r.height_above_ground()};
+          },
+          [](const M&, M::GnomonLight taken, float texel, M::GnomonGridPoint on, vec3 to_sun, float height) {
+            const float facing = std::max(dot(on.normal, to_sun), 1e-6F);
+            return largest_bias(taken, texel, facing) / facing + height / (facing * facing);
+          }),
       deciding(within_4_ulp(
           "gnomon_cascaded_shadow_maps", &M::gnomon_cascaded_shadow_maps,
           [](Random& r) {

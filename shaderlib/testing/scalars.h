@@ -98,6 +98,7 @@ template <class V>
 void visit_members(Modules::GnomonGridPoint& point, V&& visit) {
   visit("height", point.height);
   visit("normal", point.normal);
+  visit("hole", point.hole);
 }
 template <class V>
 void visit_members(Modules::GnomonCascade& cascade, V&& visit) {
