@@ -10,6 +10,7 @@
 #include "judge/judge.h"
 #include "oracle/mesh_ray.h"
 #include "technique/camera.h"
+#include "technique/cascades.h"
 #include "technique/surface.h"
 #include "testing/engine_fixture.h"
 #include "testing/views.h"
@@ -145,8 +146,63 @@ TEST(CascadedShadowMaps, ComeNearerToTheOracleTheFinerTheyAre) {
 TEST(CascadedShadowMaps, LoseWhatLiesBeyondTheirDistance) {
   Engine engine = testing::make_engine();
   const scene::Scene scene = mesh_scene(testing::views()[2], {});  // grazing
-  const double whole = wrong_share(engine, scene, {});
-  EXPECT_GT(wrong_share(engine, scene, {.distance = 1000}), 3 * whole);
+  const double whole = wrong_share(engine, scene, {.stable = false});
+  EXPECT_GT(wrong_share(engine, scene, {.distance = 1000, .stable = false}), 3 * whole);
+}
+
+TEST(CascadedShadowMaps, OfAStableFitKeepTheirTexelsWhenTheCameraTurns) {
+  Engine engine = testing::make_engine();
+  std::vector<double> texels;
+  for (const double turn : {0.0, 1.0, 2.0, 3.0}) {
+    scene::Scene scene = mesh_scene(testing::views().front(), {});
+    std::get<scene::ViewCamera>(scene.camera).target[0] += 20 * turn;
+    const Result<Rendered> rendered = engine.render(scene);
+    ASSERT_TRUE(rendered.ok());
+    const Result<const technique::Pyramid*> pyramid = engine.pyramid(rendered->map, 0);
+    ASSERT_TRUE(pyramid.ok());
+    const technique::CascadeFit fit = technique::fit_cascades(scene, rendered->ground, **pyramid);
+    ASSERT_EQ(fit.squares.size(), 4u);
+    texels.push_back(fit.squares.front().texel);
+    const glm::dvec2 corner = fit.squares.front().corner / fit.squares.front().texel;
+    EXPECT_NEAR(corner.x, std::round(corner.x), 1e-6) << "whole texels";
+    EXPECT_LE(fit.squares[0].texel, fit.squares[1].texel);
+    EXPECT_LE(fit.squares[1].texel, fit.squares[2].texel);
+  }
+  EXPECT_EQ(texels, std::vector<double>(4, texels.front()));
+}
+
+/// A plain with one sample missing.
+scene::Scene plain_with_hole(int column, int row, double azimuth) {
+  scene::Scene scene;
+  scene.id = scene.file = "hole";
+  scene::InlineTerrain table{.width = 8, .height = 8, .heights = std::vector<double>(64, 5)};
+  table.heights[static_cast<std::size_t>(row * 8 + column)] = scene::InlineTerrain::kNull;
+  scene.terrain.source = table;
+  scene.sun = {azimuth, 30};
+  return scene;
+}
+
+TEST(CascadedShadowMaps, LeaveAPlainWithAHoleLit) {
+  Engine engine = testing::make_engine();
+  for (const double azimuth : {90.0, 250.0})
+    for (const int step : {1, 4})
+      EXPECT_EQ(wrong_share(engine, plain_with_hole(3, 3, azimuth), {.step = step}), 0)
+          << "azimuth " << azimuth << ", step " << step;
+}
+
+TEST(Meshes, HaveTheHolesOfTheMapOnItsEdgesToo) {
+  Engine engine = testing::make_engine();
+  for (const auto& [column, row] : {std::pair(3, 3), {0, 3}, {7, 7}, {4, 0}}) {
+    scene::Scene scene = plain_with_hole(column, row, 90);
+    scene::ViewCamera camera = testing::orthographic({4, 4, 50}, {4, 4, 0}, 9, {180, 180});
+    camera.mesh.emplace();
+    scene.camera = camera;
+    const Result<Rendered> rendered = engine.render(scene);
+    ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+    const Tally tally = check(*rendered, camera);
+    EXPECT_EQ(tally.wrong, 0) << column << ' ' << row;
+    EXPECT_GT(tally.hits, 2500);
+  }
 }
 
 TEST(CascadedShadowMaps, LoseTheStepsOfAnOpenModelWhereBackFacesAreLeftOut) {
