@@ -116,11 +116,8 @@ TEST_P(Camera, HitsTheSurfaceThatTheDoublePrecisionRayMeets) {
   EXPECT_LT(tally.unsteady, tally.hits / 10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Camera, ::testing::ValuesIn(views()), [](const auto& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, Camera, ::testing::ValuesIn(testing::views()),
+                         [](const auto& info) { return testing::test_name(info.param); });
 
 TEST(Cameras, NoPixelDiffersFromTheOracleAtItsOwnColumnAndRow) {
   Engine engine = testing::make_engine();

@@ -85,11 +85,8 @@ TEST_P(Mesh, IsDrawnWhereDoublePrecisionRaysMeetIt) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Mesh, ::testing::ValuesIn(testing::views()), [](const auto& info) {
-  std::string name = info.param.name;
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Every, Mesh, ::testing::ValuesIn(testing::views()),
+                         [](const auto& info) { return testing::test_name(info.param); });
 
 TEST(Meshes, NoPixelDiffersFromTheOracleAtItsOwnColumnRowAndLevel) {
   Engine engine = testing::make_engine();

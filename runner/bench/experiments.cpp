@@ -35,9 +35,8 @@ scene::ViewCamera across(double side, std::array<int, 2> viewport) {
           .size = viewport};
 }
 
-/// Highest sample of a procedural map within a few samples of the sample (column, row from the south),
-/// metres.
-double ground_near(const scene::ProceduralTerrain& made, int column, int row_from_south) {
+/// Highest sample of a procedural map, metres.
+double highest(const scene::ProceduralTerrain& made) {
   const Result<terrain::HeightMap> map = terrain::make_procedural({.kind = made.kind,
                                                                    .width = made.width,
                                                                    .height = made.height,
@@ -46,23 +45,16 @@ double ground_near(const scene::ProceduralTerrain& made, int column, int row_fro
                                                                    .spacing_y = kSpacing,
                                                                    .parameters = made.parameters});
   if (!map) return 0;  // said when the trial is drawn
-  double highest = 0;
-  for (int y = -3; y <= 3; ++y) {
-    for (int x = -3; x <= 3; ++x) {
-      const int row = std::clamp(map->height - 1 - row_from_south + y, 0, map->height - 1);
-      highest = std::max(highest, double{map->at(row, std::clamp(column + x, 0, map->width - 1))});
-    }
-  }
-  return highest;
+  return double{*std::max_element(map->samples.begin(), map->samples.end())};
 }
 
-/// From a person's height over the ground at a corner of the map to its far end.
+/// From just above the highest ground, over a corner of the map, to its far end: near slopes below, and a
+/// background many times as far away.
 scene::ViewCamera along(const scene::ProceduralTerrain& made, std::array<int, 2> viewport) {
-  const int at = made.width / 24;
   const double side = made.width * kSpacing;
-  const double eye = ground_near(made, at, at) + 2;
-  return {.eye = {(at + 0.5) * kSpacing, (at + 0.5) * kSpacing, eye},
-          .target = {0.5 * side, 0.5 * side, eye - 0.03 * side},
+  const double eye = highest(made) + 5 * kSpacing;
+  return {.eye = {0.03 * side, 0.03 * side, eye},
+          .target = {0.5 * side, 0.5 * side, 0.55 * eye},
           .extent = 40,
           .size = viewport};
 }

@@ -2,7 +2,9 @@
 // Cameras over maps, from where they show what goes wrong: grazing, far away, inside a gorge.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -32,6 +34,13 @@ inline scene::ViewCamera orthographic(std::array<double, 3> eye, std::array<doub
           .target = target,
           .extent = height,
           .size = size};
+}
+
+/// The view's name as GoogleTest takes it.
+inline std::string test_name(const Seen& seen) {
+  std::string name = seen.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
 }
 
 /// Maps of 333 x 200 samples, 10 m apart.

@@ -155,12 +155,7 @@ Result<Walk> observe_literal_walk(const PixelModules& modules, const Question& q
   const Recorder set_up(modules);
   static_cast<void>(set_up.gnomon_literal_track(map, question.receiver, question.to_sun, modules.q()));
   LiteralStory story(modules, question, visits_of(recorder.calls(), set_up.calls().size()), answer.cause);
-  walk.height = story.start_height();
-  Result<std::vector<Step>> steps = story.tell();
-  if (!steps) return steps.diagnostics();
-  walk.steps = std::move(steps).value();
-  if (walk.steps.size() != static_cast<std::size_t>(walk.count)) return retold_wrongly(walk.steps.size());
-  return walk;
+  return told(std::move(walk), story);
 }
 
 }  // namespace gnomon::trace

@@ -228,12 +228,7 @@ Result<Walk> observe_walk(const PixelModules& modules, const Question& question,
   if (without_ray.cause != GNOMON_CAUSE_UNDECIDED) return walk;
   static_cast<void>(set_up.gnomon_ray(map, question.receiver, question.to_sun, modules.q()));
   Story story(modules, question, visits_of(recorder.calls(), set_up.calls().size()), answer.cause);
-  walk.height = story.start_height();
-  Result<std::vector<Step>> steps = story.tell();
-  if (!steps) return steps.diagnostics();
-  walk.steps = std::move(steps).value();
-  if (walk.steps.size() != static_cast<std::size_t>(walk.count)) return retold_wrongly(walk.steps.size());
-  return walk;
+  return told(std::move(walk), story);
 }
 
 }  // namespace gnomon::trace
