@@ -421,6 +421,19 @@ TEST_F(Gnomon, AnInterruptStopsItUnlessWhoStartedItIgnoresThem) {
   EXPECT_EQ(end_of("trap '' HUP; ", "HUP").code, 0) << "nohup";
 }
 
+TEST_F(Gnomon, BenchJudgesCascadesAndSaysWhereNothingCanBeWritten) {
+  const Ran ran =
+      run("bench --experiment cascades --size 64 --rounds 1 --json figures.json --pictures pictures");
+  EXPECT_EQ(ran.code, 0) << ran.output << "methods that are exact differ nowhere";
+  const std::string figures = read("figures.json");
+  for (const char* part : {"\"map\": \"far background\"", "\"cascade_size\": 4096", "\"faces\": \"front\""})
+    EXPECT_NE(figures.find(part), std::string::npos) << part;
+  EXPECT_GT(std::distance(fs::directory_iterator(root_ / "pictures"), {}), 30);
+  EXPECT_EQ(run("bench --size 64 --json nowhere/figures.json").code, 99);
+  EXPECT_EQ(run("bench --size 64 --pictures figures.json").code, 99);
+  EXPECT_EQ(run("bench --size 64 --scene testcases/map.json").code, 2) << "methods has no map to add to";
+}
+
 TEST_F(Gnomon, AFileSizeLimitIsTheMachinesFailureAndLeavesNothing) {
   write_scene("map", R"([{"reference": {}}])");
   const Ran ran = testing::run_command("cd " + quote(root_.string()) + " && ulimit -f 1 && " +

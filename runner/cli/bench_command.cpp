@@ -128,10 +128,25 @@ std::string file_name(const Trial& trial, std::array<int, 2> viewport) {
   return text;
 }
 
+/// Hours of measuring are not to end in a folder that is not there.
+Result<Done> prepare_outputs(const BenchArguments& arguments) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path parent = fs::path(arguments.json).parent_path();
+  if (!parent.empty() && !fs::is_directory(parent, error))
+    return Diagnostic{.file = arguments.json,
+                      .message = "cannot be written: there is no folder " + parent.string(),
+                      .failure = Failure::kMachine};
+  if (!arguments.pictures.empty()) fs::create_directories(arguments.pictures, error);
+  if (!arguments.pictures.empty() && !fs::is_directory(arguments.pictures, error))
+    return Diagnostic{.file = arguments.pictures,
+                      .message = "is no folder, and none can be made there: " + error.message(),
+                      .failure = Failure::kMachine};
+  return Done{};
+}
+
 /// The picture of each trial, and where its shadow differs from the first one's.
 Result<Done> write_pictures(Engine& engine, const Group& group, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
   std::optional<Rendered> first;
   for (const Trial& trial : group.trials) {
     const Result<Rendered> rendered = engine.render(trial.scene);
@@ -186,6 +201,8 @@ int run_command(const BenchArguments& arguments, Console& console) {
   const bench::Experiment& experiment = *bench::find_experiment(arguments.experiment);
   Engine engine(
       {.shader_library = console.shader_library, .backend = arguments.backend, .device = arguments.device});
+  if (const Result<Done> ready = prepare_outputs(arguments); !ready)
+    return report(console, ready.diagnostics());
   bench::Options options{.sizes = arguments.sizes, .elevation = arguments.elevation};
   if (!arguments.scene.empty()) {
     Result<Trial> own = own_trial(arguments.scene);
