@@ -9,26 +9,14 @@
 #include <sstream>
 
 #include "bench/experiments.h"
+#include "cli/choices.h"
+#include "cli/texts.h"
 #include "gnomon/compiler/compiler.h"
 #include "technique/technique.h"
 #include "trace/trace.h"
 
 namespace gnomon::cli {
 namespace {
-
-const std::map<std::string, Backend> kBackends{
-    {"auto", Backend::kAuto}, {"egl", Backend::kEgl}, {"osmesa", Backend::kOsmesa}, {"cpu", Backend::kCpu}};
-const std::map<std::string, UpdateGoldens> kUpdates{{"none", UpdateGoldens::kNone},
-                                                    {"missing", UpdateGoldens::kMissing},
-                                                    {"changed", UpdateGoldens::kChanged},
-                                                    {"all", UpdateGoldens::kAll}};
-
-template <class Value>
-std::string keys_of(const std::map<std::string, Value>& table) {
-  std::string keys;
-  for (const auto& [key, value] : table) keys += (keys.empty() ? "" : ", ") + key;
-  return keys;
-}
 
 /// An option whose text is one of the keys of `table`.
 template <class Value>
@@ -48,13 +36,9 @@ void add_choice(CLI::App* app, const std::string& name, Value& value,
 
 template <class Number>
 Number number_of(const std::string& text, const std::string& name, const std::string& shape) {
-  Number number{};
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  if (!(stream >> number) || !stream.eof() || !std::isfinite(static_cast<double>(number))) {
-    throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
-  }
-  return number;
+  const std::optional<Number> number = number_in<Number>(text);
+  if (!number) throw CLI::ValidationError(name, "'" + text + "' is not " + shape);
+  return *number;
 }
 
 /// Two numbers with `separator` between them; where `one_is_both`, one number stands for both.
@@ -140,39 +124,10 @@ void check_method(const std::string& name) {
   }
 }
 
-/// WxH,TYPE[,little|big][,skip=BYTES], the last two in any order.
 terrain::RawLayout raw_layout_of(const std::string& text) {
-  const std::string shape = "WxH,TYPE[,little|big][,skip=BYTES]";
-  const auto refuse = [&](const std::string& why) {
-    throw CLI::ValidationError("--raw", "'" + text + "' is not " + shape + ": " + why);
-  };
-  std::istringstream stream(text + ',');  // a comma at the end is an empty part too
-  std::vector<std::string> parts;
-  for (std::string part; std::getline(stream, part, ',');) parts.push_back(part);
-  const std::size_t times = parts.empty() ? std::string::npos : parts[0].find('x');
-  if (times == std::string::npos || parts.size() < 2)
-    refuse("the size and the type are needed, as in 1201x1201,int16");
-  terrain::RawLayout layout{.width = number_of<int>(parts[0].substr(0, times), "--raw", shape),
-                            .height = number_of<int>(parts[0].substr(times + 1), "--raw", shape)};
-  if (std::min(layout.width, layout.height) < 1 || std::max(layout.width, layout.height) > 16384)
-    refuse("each side has to be 1 to 16384");
-  const std::optional<terrain::RawType> type = terrain::raw_type(parts[1]);
-  std::string known;
-  for (const auto& [name, value] : terrain::kRawTypes)
-    known += (known.empty() ? "" : ", ") + std::string(name);
-  if (!type) refuse("the type is one of " + known);
-  layout.type = *type;
-  for (std::size_t i = 2; i < parts.size(); ++i) {
-    const bool is_skip = parts[i].starts_with("skip=") && parts[i].find('-') == std::string::npos;
-    if (is_skip) {
-      layout.skip = number_of<std::uint64_t>(parts[i].substr(5), "--raw", shape);
-    } else if (parts[i] == "little" || parts[i] == "big") {
-      layout.big_endian = parts[i] == "big";
-    } else {
-      refuse("'" + parts[i] + "' is neither little, big nor skip=BYTES");
-    }
-  }
-  return layout;
+  const Result<terrain::RawLayout> layout = raw_layout_in(text);
+  if (!layout) throw CLI::ValidationError("--raw", layout.diagnostics().front().message);
+  return *layout;
 }
 
 void add_map_options(CLI::App* app, RenderArguments& a) {
@@ -430,34 +385,6 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
   if (name == "trace") return {trace, {}, 0};
   if (name == "info") return {InfoArguments{}, {}, 0};
   return {test, {}, 0};
-}
-
-namespace {
-
-template <class Value>
-std::string key_of(const std::map<std::string, Value>& table, Value value) {
-  return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.second == value; })
-      ->first;
-}
-
-}  // namespace
-
-std::vector<std::string> rendering_flags(const TestArguments& a) {
-  const TestArguments defaults;
-  std::vector<std::string> words;
-  if (a.backend != defaults.backend) words.insert(words.end(), {"--backend", key_of(kBackends, a.backend)});
-  if (!a.device.empty()) words.insert(words.end(), {"--device", a.device});
-  if (a.target != defaults.target) words.insert(words.end(), {"--target", a.target});
-  for (const std::string& override_text : a.overrides) words.insert(words.end(), {"--set", override_text});
-  return words;
-}
-
-std::vector<std::string> worker_arguments(const TestArguments& a) {
-  std::vector<std::string> words{"worker", "--update-goldens", key_of(kUpdates, a.update)};
-  if (!a.report.empty()) words.insert(words.end(), {"--report", a.report});
-  const std::vector<std::string> flags = rendering_flags(a);
-  words.insert(words.end(), flags.begin(), flags.end());
-  return words;
 }
 
 }  // namespace gnomon::cli
