@@ -207,10 +207,13 @@ Result<Done> draw_square(const gl::Program& program, const Pyramid& pyramid, con
 
 }  // namespace
 
+Result<const CachedProgram*> depth_program(ProgramCache& programs, bool holes) {
+  return programs.get(holes ? "programs/light_holes.frag" : "programs/light.frag", "programs/mesh.vert");
+}
+
 Result<CascadeMaps> draw_cascades(ProgramCache& programs, const Pyramid& pyramid, const scene::Scene& scene,
                                   const Ground& ground, double& seconds) {
-  const Result<const CachedProgram*> program =
-      programs.get(pyramid.holes ? "programs/light_holes.frag" : "programs/light.frag", "programs/mesh.vert");
+  const Result<const CachedProgram*> program = depth_program(programs, pyramid.holes);
   if (!program) return program.diagnostics();
   const scene::Cascades& cascades = scene.shadow.cascades;
   const CascadeFit fit = fit_cascades(scene, ground, pyramid);

@@ -43,6 +43,9 @@ struct CascadeMaps {
   Uniforms uniforms;
 };
 
+/// The program that draws them. Of maps without holes it discards nothing, which would be slower.
+[[nodiscard]] Result<const CachedProgram*> depth_program(ProgramCache& programs, bool holes);
+
 /// Fails where the maps are larger than the driver's textures. Adds the draws' time to `seconds`.
 [[nodiscard]] Result<CascadeMaps> draw_cascades(ProgramCache& programs, const Pyramid& pyramid,
                                                 const scene::Scene& scene, const Ground& ground,

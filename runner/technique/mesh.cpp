@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "technique/map_host.h"
+
 namespace gnomon::technique {
 namespace {
 
-/// gnomon_grid_nodes of mesh/grid.glsl.
+/// As programs/mesh.vert counts them: by the module, which asks no map for it.
 int nodes(int samples, int step) {
-  return (samples - 2 + step) / step + 3;
+  const terrain::HeightMap none;
+  return MapHost(none).gnomon_grid_nodes(samples, step);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "technique/cascades.h"
+#include "technique/hash.h"
 #include "technique/sun.h"
 #include "technique/technique.h"
 #include "technique/tiles.h"
@@ -38,7 +39,7 @@ Diagnostic step_bound_reached(const scene::Scene& scene, int limit, std::size_t 
 /// What a draw answered for a pixel: b_shadow, k_shadow, steps, cause.
 Result<Done> store(const float* answer, std::size_t pixel, const Pyramid& pyramid, const scene::Scene& scene,
                    image::Image& image) {
-  if (answer[3] == kUndecided) return step_bound_reached(scene, step_limit(pyramid), pixel, image.width);
+  if (answer[3] == kUndecided) return step_bound_reached(scene, step_limit(pyramid.size), pixel, image.width);
   image.channels["b_shadow"][pixel] = answer[0];
   image.channels["k_shadow"][pixel] = answer[1];
   image.channels["steps"][pixel] = answer[2];
@@ -194,6 +195,12 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyram
     if (!answered) return answered.diagnostics();
   }
   tell_origin({.program = *program, .samplers = {}}, image);
+  if (technique.bounds == Bounds::kCascades) {
+    const bool holes = !pyramids.empty() && pyramids.begin()->second->holes;
+    const Result<const CachedProgram*> depth = depth_program(programs, holes);
+    if (!depth) return depth.diagnostics();
+    image.attributes["gnomon:program_hash"] = hash_text((*program)->program_hash + (*depth)->program_hash);
+  }
   if (draw_seconds) *draw_seconds = seconds;
   return image;
 }

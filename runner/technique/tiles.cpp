@@ -16,8 +16,8 @@ std::vector<Tile> tiles_of(glm::ivec2 image) {
   return tiles;
 }
 
-int step_limit(const Pyramid& pyramid) {
-  return 8 * (pyramid.size.x + pyramid.size.y);
+int step_limit(glm::ivec2 samples) {
+  return 8 * (samples.x + samples.y);
 }
 
 Uniforms map_uniforms(const Pyramid& pyramid) {
@@ -27,7 +27,7 @@ Uniforms map_uniforms(const Pyramid& pyramid) {
           {"u_map_highest", pyramid.highest},
           {"u_map_top_level", pyramid.top_level()},
           {"u_q", pyramid.q},
-          {"u_step_limit", step_limit(pyramid)}};
+          {"u_step_limit", step_limit(pyramid.size)}};
 }
 
 Uniforms camera_uniforms(const CameraRays& rays, glm::dvec2 offset) {

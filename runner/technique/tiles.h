@@ -36,7 +36,7 @@ using Uniforms = std::vector<std::pair<std::string, gl::Uniform>>;
 [[nodiscard]] Uniforms camera_uniforms(const CameraRays& rays, glm::dvec2 offset = {});
 
 /// Blocks and patches that a ray may visit: 8 (width + height) always suffices.
-[[nodiscard]] int step_limit(const Pyramid& pyramid);
+[[nodiscard]] int step_limit(glm::ivec2 samples);
 
 /// The samplers of host/r32f.glsl.
 [[nodiscard]] std::vector<gl::Sampler> map_samplers(const Pyramid& pyramid);

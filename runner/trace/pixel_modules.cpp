@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "technique/pyramid.h"
+#include "technique/tiles.h"
 #include "terrain/level.h"
 
 namespace gnomon::trace {
@@ -49,7 +50,7 @@ Modules::GnomonMap PixelModules::literal_map() const {
 }
 
 int PixelModules::step_limit() const {
-  return 8 * (level_.width + level_.height);
+  return technique::step_limit({level_.width, level_.height});
 }
 
 std::vector<Visit> visits_of(const std::vector<HostCall>& calls, std::size_t set_up) {

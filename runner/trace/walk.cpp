@@ -117,7 +117,8 @@ class Story {
     const glm::vec2 exits = modules_.gnomon_ray_exits(ray_, visit().index, 0);
     const Crossing crossing = modules_.gnomon_crossing(ray_, visit().index, cursor_.t, modules_.q());
     const float crossed = modules_.gnomon_crossed(ray_, cursor_.t, exits);
-    const float clearance = near ? clearance_ : far_clearance(crossing);
+    const float clearance =
+        near ? clearance_ : modules_.gnomon_far_clearance(ray_, crossing, cursor_.t, cursor_.after_hole);
     Step step = along(exits);
     if (!crossing.hole) {
       step.surface = {
@@ -131,22 +132,11 @@ class Story {
       return step;
     }
     tell_passing(crossing, crossed, most, step);
-    if (near) carry(crossing, crossed);
+    if (near) clearance_ = modules_.gnomon_carried_clearance(crossing, clearance_, crossed);
     // Close to the receiver a ray cannot be known to be above everything.
     cursor_ = modules_.gnomon_leave_patch(ray_, cursor_, crossing, exits, near ? GNOMON_NEVER : t_above_);
     step.reason += onward(0);
     return step;
-  }
-
-  [[nodiscard]] float far_clearance(const Crossing& crossing) const {
-    const float clearance = crossing.above - (ray_.height + ray_.rise * cursor_.t);
-    return cursor_.after_hole ? clearance : std::min(clearance, 0.0F);
-  }
-
-  /// As core/near_walk carries the clearance from patch to patch.
-  void carry(const Crossing& crossing, float crossed) {
-    const float left = modules_.gnomon_clearance_at(crossing, clearance_, crossed);
-    if (crossed > 0) clearance_ = crossing.hole ? left : std::min(left, 0.0F);
   }
 
   /// Of the surface above the ray within the patch, metres.

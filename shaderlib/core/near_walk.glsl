@@ -11,6 +11,14 @@
 // One texel along the ray crosses at most 3 patches on each axis, of which two may be left at the same t.
 #define GNOMON_NEAR_PATCHES 6
 
+// The clearance where a ray leaves a patch that does not hide the receiver: not above it, whatever rounding says, but over
+// a hole. A patch that the ray only touches changes nothing.
+float gnomon_carried_clearance(GnomonCrossing crossing, float clearance, float crossed) {
+  if (crossed <= 0.0f) return clearance;
+  float left = gnomon_clearance_at(crossing, clearance, crossed);
+  return crossing.hole ? left : min(left, 0.0f);
+}
+
 // Walks until t reaches 1 or the answer is known. The clearance starts at minus the receiver's height, exactly, and is
 // carried from patch to patch: close to the receiver a difference of absolute heights would be all rounding. It is carried
 // over a hole too, if the ray enters and leaves it over edges that have a surface: those meet in a corner, and between
@@ -28,8 +36,7 @@ GnomonCursor gnomon_near_walk(GnomonRay ray, float receiver_height, int q) {
       cursor.cause = GNOMON_CAUSE_SURFACE;
       return cursor;
     }
-    float left = gnomon_clearance_at(crossing, clearance, crossed);
-    clearance = crossed > 0.0f ? (crossing.hole ? left : min(left, 0.0f)) : clearance;
+    clearance = gnomon_carried_clearance(crossing, clearance, crossed);
     bool second_hole = cursor.after_hole && crossing.hole;
     cursor = gnomon_leave_patch(ray, cursor, crossing, exits, GNOMON_NEVER);
     if (cursor.t >= 1.0f || second_hole || cursor.cause != GNOMON_CAUSE_UNDECIDED) return cursor;

@@ -55,5 +55,15 @@ TEST(NearWalk, EndsAtTheEdgeOfTheMap) {
   EXPECT_EQ(walk(modules, 15.9F, 0, vec3(1, 0, 0.2F)).cause, GNOMON_CAUSE_LEFT_MAP);
 }
 
+TEST(CarriedClearance, IsThatAtTheExitButNeverAboveTheRaySaveOverAHole) {
+  const MapModules modules(flat_map(2, 2));
+  Modules::GnomonCrossing rising{.slope = 2, .curvature = 0, .above = 0, .hole = false};
+  EXPECT_EQ(modules.gnomon_carried_clearance(rising, -3, 1), -1.0F);
+  EXPECT_EQ(modules.gnomon_carried_clearance(rising, -1, 1), 0.0F);
+  EXPECT_EQ(modules.gnomon_carried_clearance(rising, -3, 0), -3.0F) << "only touched";
+  rising.hole = true;
+  EXPECT_EQ(modules.gnomon_carried_clearance(rising, -1, 1), 1.0F);
+}
+
 }  // namespace
 }  // namespace gnomon::modules

@@ -213,12 +213,17 @@ float gnomon_crossed(GnomonRay ray, float t, vec2 exits) {
   return min(min(exits.x, exits.y), ray.t_end) - t;
 }
 
-// Whether the surface hides the receiver within a patch that the ray enters at t and leaves at `exits`: far enough away
-// for the clearance to follow from the heights. after_hole: the patch before has no surface; else its exit was not above
-// the ray, and neither is this entry, whatever rounding says.
-bool gnomon_far_patch_hides(GnomonRay ray, GnomonCrossing crossing, float t, vec2 exits, bool after_hole) {
+// The clearance at t, far enough away for it to follow from the heights. after_hole: the patch before has no surface; else
+// its exit was not above the ray, and neither is this entry, whatever rounding says.
+float gnomon_far_clearance(GnomonRay ray, GnomonCrossing crossing, float t, bool after_hole) {
   float clearance = crossing.above - (ray.height + ray.rise * t);
-  return gnomon_crossing_hides(crossing, after_hole ? clearance : min(clearance, 0.0f), gnomon_crossed(ray, t, exits));
+  return after_hole ? clearance : min(clearance, 0.0f);
+}
+
+// Whether the surface hides the receiver within a patch far away that the ray enters at t and leaves at `exits`.
+bool gnomon_far_patch_hides(GnomonRay ray, GnomonCrossing crossing, float t, vec2 exits, bool after_hole) {
+  float clearance = gnomon_far_clearance(ray, crossing, t, after_hole);
+  return gnomon_crossing_hides(crossing, clearance, gnomon_crossed(ray, t, exits));
 }
 
 #endif

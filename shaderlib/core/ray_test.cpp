@@ -184,6 +184,18 @@ TEST(FarPatchHides, AWallUpToItsTop) {
   }
 }
 
+TEST(FarClearance, IsTheSurfaceAboveTheRayButNotAboveItExceptBehindAHole) {
+  const MapModules modules(flat_map(2, 2));
+  Modules::GnomonRay ray{};
+  ray.height = 10;
+  ray.rise = 2;
+  Modules::GnomonCrossing crossing{.slope = 0, .curvature = 0, .above = 15, .hole = false};
+  EXPECT_EQ(modules.gnomon_far_clearance(ray, crossing, 3, false), -1.0F);
+  crossing.above = 20;
+  EXPECT_EQ(modules.gnomon_far_clearance(ray, crossing, 3, false), 0.0F);
+  EXPECT_EQ(modules.gnomon_far_clearance(ray, crossing, 3, true), 4.0F);
+}
+
 // Sample (3, 2) of a slope is no sample.
 MapModules pierced() {
   terrain::HeightMap map = flat_map(8, 6, 100);

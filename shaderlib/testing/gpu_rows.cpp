@@ -187,6 +187,16 @@ std::vector<Row> crossing_rows() {
                        const float crossed = 1.5F * r.fraction();
                        return std::tuple{crossing, r.clearance(crossing, crossed), crossed};
                      })),
+      within_4_ulp(
+          "gnomon_far_clearance", &M::gnomon_far_clearance,
+          [](Random& r) {
+            const auto at = r.place(0);
+            return std::tuple{at.ray, r.crossing(), at.cursor.t, r.chance(0.2F)};
+          },
+          [](const M&, M::GnomonRay ray, M::GnomonCrossing crossing, float t, bool) {
+            return std::max(
+                {std::abs(crossing.above), std::abs(ray.height), std::abs(ray.rise * t), kZeroOfEitherSign});
+          }),
       deciding(exact("gnomon_far_patch_hides", &M::gnomon_far_patch_hides,
                      [](Random& r) {
                        const auto at = r.place(0);
@@ -233,6 +243,11 @@ std::vector<Row> walk_rows() {
             [](Random& r) {
               return std::tuple{M::GnomonCursor{r.patch_index(), r.between(0, 100), r.whole(0, 200000),
                                                 r.whole(0, 5), r.chance(0.5F), r.chance(0.5F)}};
+            }),
+      exact("gnomon_carried_clearance", &M::gnomon_carried_clearance,
+            [](Random& r) {
+              return std::tuple{r.crossing(), r.chance(0.2F) ? 0.0F : -std::abs(r.power_of_ten(-6, 4)),
+                                r.chance(0.2F) ? 0.0F : 1.5F * r.fraction()};
             }),
       deciding(exact("gnomon_near_walk", &M::gnomon_near_walk,
                      [](Random& r) {
