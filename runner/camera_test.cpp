@@ -12,11 +12,11 @@
 #include <filesystem>
 #include <iostream>
 
-#include "judge/judge.h"
 #include "oracle/oracle.h"
 #include "oracle/view_ray.h"
 #include "technique/surface.h"
 #include "testing/engine_fixture.h"
+#include "testing/view_check.h"
 #include "testing/views.h"
 
 namespace gnomon {
@@ -29,39 +29,10 @@ using testing::Seen;
 using testing::views;
 using Point = std::array<double, 3>;
 
-oracle::ViewRay oracle_ray(const technique::ViewRay& ray) {
-  return {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}};
-}
-
-/// Metres along the double-precision ray through a point of the image, or nothing for sky.
-std::optional<double> true_depth(const oracle::ViewTracer& tracer, const technique::CameraRays& rays,
-                                 glm::dvec2 at) {
-  const technique::ViewRay ray = rays.ray(at);
-  const auto hit = tracer.first_hit(oracle_ray(ray));
-  if (!hit) return std::nullopt;
-  return *hit * glm::length(ray.direction);
-}
-
 struct Tally {
   long hits = 0, unsteady = 0, wrong = 0, shadowed = 0;
   double worst_pixel = 0, worst_depth = 0;
 };
-
-/// How much nearer or farther than `depth` the surface may be.
-double depth_slack(double depth, const terrain::HeightMap& map) {
-  return 1e-3 * depth + std::max(map.spacing_x, map.spacing_y);
-}
-
-/// Whether what lies at the pixel's centre changes when the ray moves by 1/50 pixel.
-bool is_unsteady(const oracle::ViewTracer& tracer, const technique::CameraRays& rays, glm::dvec2 centre,
-                 const std::optional<double>& depth, double slack) {
-  for (const glm::dvec2 step : {glm::dvec2(0.02, 0), {-0.02, 0}, {0, 0.02}, {0, -0.02}}) {
-    const auto moved = true_depth(tracer, rays, centre + step);
-    if (moved.has_value() != depth.has_value()) return true;
-    if (moved && std::abs(*moved - *depth) > slack) return true;
-  }
-  return false;
-}
 
 void check_pixel(const Rendered& rendered, const oracle::ViewTracer& tracer,
                  const technique::CameraRays& rays, int x, int y, Tally& tally) {
@@ -70,24 +41,24 @@ void check_pixel(const Rendered& rendered, const oracle::ViewTracer& tracer,
   const oracle::Surface surface = technique::surface_of(map);
   const std::size_t i = std::size_t(y) * std::size_t(ground.size.x) + std::size_t(x);
   const glm::dvec2 centre(x + 0.5, y + 0.5);
-  const auto depth = true_depth(tracer, rays, centre);
-  const double slack = depth_slack(depth.value_or(0), map);
-  if (is_unsteady(tracer, rays, centre, depth, slack)) {
+  const double depth = testing::true_depth(tracer, rays, centre);
+  const double slack = testing::depth_slack(depth, map);
+  if (!testing::is_steady(tracer, rays, centre, depth, slack)) {
     ++tally.unsteady;
     return;
   }
-  if ((ground.valid[i] != 0) != depth.has_value()) {
+  if ((ground.valid[i] != 0) != (depth < testing::kNowhere)) {
     ++tally.wrong;
     return;
   }
-  if (!depth) return;
+  if (depth == testing::kNowhere) return;
   ++tally.hits;
   const double column = ground.column[i];
   const double row = ground.row[i];
   const glm::dvec3 point(column * map.spacing_x, (map.domain_height - row) * map.spacing_y,
                          oracle::surface_height(surface, column, row));
   const double off = glm::length(rays.project(point) - centre);
-  const double nearer = std::abs(double{ground.depth[i]} - *depth);
+  const double nearer = std::abs(double{ground.depth[i]} - depth);
   tally.worst_pixel = std::max(tally.worst_pixel, off);
   tally.worst_depth = std::max(tally.worst_depth, nearer / slack);
   if (off > 0.02 || nearer > slack) ++tally.wrong;
@@ -129,16 +100,12 @@ TEST(Cameras, NoPixelDiffersFromTheOracleAtItsOwnColumnAndRow) {
     // Of 333 samples the coarsest level is 9; one below 0 is "auto".
     for (int q = -1; q <= 9; ++q) {
       scene.shadow.q = q < 0 ? std::nullopt : std::optional(q);
-      const Result<Rendered> rendered = engine.render(scene);
-      ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
-      const Result<image::Image> reference = engine.reference(scene, rendered->ground);
-      ASSERT_TRUE(reference.ok());
-      const judge::Verdict verdict =
-          judge::compare(rendered->image, *reference, {.channels = {"b_shadow", "valid"}});
-      EXPECT_TRUE(verdict.passed) << seen.name << " q " << q << ": " << verdict.measured;
-      compared += verdict.compared;
-      mismatches += verdict.mismatches;
-      for (const float b : rendered->image.channels.at("b_shadow")) shadowed += double{b};
+      const auto result = testing::compare_with_oracle(engine, scene);
+      ASSERT_TRUE(result.ok()) << to_string(result.diagnostics().front());
+      EXPECT_TRUE(result->verdict.passed) << seen.name << " q " << q << ": " << result->verdict.measured;
+      compared += result->verdict.compared;
+      mismatches += result->verdict.mismatches;
+      for (const float b : result->rendered.image.channels.at("b_shadow")) shadowed += double{b};
     }
   }
   std::cout << "cameras: " << compared << " pixels, " << mismatches << " differ, " << shadowed

@@ -5,14 +5,13 @@
 
 #include <cmath>
 #include <iostream>
-#include <limits>
 
-#include "judge/judge.h"
 #include "oracle/mesh_ray.h"
 #include "technique/camera.h"
 #include "technique/cascades.h"
 #include "technique/surface.h"
 #include "testing/engine_fixture.h"
+#include "testing/view_check.h"
 #include "testing/views.h"
 
 namespace gnomon {
@@ -30,21 +29,6 @@ struct Tally {
   long hits = 0, unsteady = 0, wrong = 0;
 };
 
-/// Nothing is met.
-constexpr double kNowhere = std::numeric_limits<double>::infinity();
-
-/// Metres along the ray through a point of the image, where it meets the mesh.
-double true_depth(const oracle::MeshTracer& tracer, const technique::CameraRays& rays, glm::dvec2 at) {
-  const technique::ViewRay ray = rays.ray(at);
-  const auto hit = tracer.first_hit(
-      {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}});
-  return hit ? *hit * glm::length(ray.direction) : kNowhere;
-}
-
-bool agree(double a, double b, double slack) {
-  return a == b || std::abs(a - b) <= slack;
-}
-
 Tally check(const Rendered& rendered, const scene::ViewCamera& camera) {
   const oracle::Surface surface = technique::surface_of(*rendered.map);
   const oracle::MeshTracer tracer(surface, camera.mesh->step, camera.mesh->cull_back_faces);
@@ -54,15 +38,13 @@ Tally check(const Rendered& rendered, const scene::ViewCamera& camera) {
   for (std::size_t i = 0; i < ground.pixels(); i += 7) {
     const auto width = static_cast<std::size_t>(ground.size.x);
     const glm::dvec2 centre(double(i % width) + 0.5, double(i / width) + 0.5);
-    const double depth = true_depth(tracer, rays, centre);
-    const double slack = rendered.map->spacing_x + (depth < kNowhere ? 1e-3 * depth : 0);
-    bool steady = true;
-    for (const glm::dvec2 step : {glm::dvec2(0.02, 0), {-0.02, 0}, {0, 0.02}, {0, -0.02}})
-      steady = steady && agree(depth, true_depth(tracer, rays, centre + step), slack);
-    const double drawn = ground.valid[i] != 0 ? double{ground.depth[i]} : kNowhere;
-    tally.hits += depth < kNowhere;
+    const double depth = testing::true_depth(tracer, rays, centre);
+    const double slack = testing::depth_slack(depth, *rendered.map);
+    const bool steady = testing::is_steady(tracer, rays, centre, depth, slack);
+    const double drawn = ground.valid[i] != 0 ? double{ground.depth[i]} : testing::kNowhere;
+    tally.hits += depth < testing::kNowhere;
     tally.unsteady += !steady;
-    tally.wrong += steady && !agree(depth, drawn, slack);
+    tally.wrong += steady && !testing::agree(depth, drawn, slack);
   }
   return tally;
 }
@@ -98,15 +80,11 @@ TEST(Meshes, NoPixelDiffersFromTheOracleAtItsOwnColumnRowAndLevel) {
     for (const std::optional<int> q : {std::optional(0), std::optional(level), std::optional<int>()}) {
       scene::Scene scene = mesh_scene(seen, {});
       scene.shadow.q = q;
-      const Result<Rendered> rendered = engine.render(scene);
-      ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
-      const Result<image::Image> reference = engine.reference(scene, rendered->ground);
-      ASSERT_TRUE(reference.ok());
-      const judge::Verdict verdict =
-          judge::compare(rendered->image, *reference, {.channels = {"b_shadow", "valid"}});
-      EXPECT_TRUE(verdict.passed) << seen.name << ": " << verdict.measured;
-      compared += verdict.compared;
-      mismatches += verdict.mismatches;
+      const auto result = testing::compare_with_oracle(engine, scene);
+      ASSERT_TRUE(result.ok()) << to_string(result.diagnostics().front());
+      EXPECT_TRUE(result->verdict.passed) << seen.name << ": " << result->verdict.measured;
+      compared += result->verdict.compared;
+      mismatches += result->verdict.mismatches;
     }
   }
   std::cout << "meshes: " << compared << " pixels, " << mismatches << " differ\n";
@@ -117,13 +95,9 @@ TEST(Meshes, NoPixelDiffersFromTheOracleAtItsOwnColumnRowAndLevel) {
 double wrong_share(Engine& engine, scene::Scene scene, const scene::Cascades& cascades) {
   scene.shadow.method = "cascaded_shadow_maps";
   scene.shadow.cascades = cascades;
-  const Result<Rendered> rendered = engine.render(scene);
-  EXPECT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
-  if (!rendered) return 1;
-  const Result<image::Image> reference = engine.reference(scene, rendered->ground);
-  EXPECT_TRUE(reference.ok());
-  const judge::Verdict verdict = judge::compare(rendered->image, *reference, {.channels = {"b_shadow"}});
-  return verdict.mismatches / verdict.compared;
+  const auto result = testing::compare_with_oracle(engine, scene);
+  EXPECT_TRUE(result.ok()) << to_string(result.diagnostics().front());
+  return result ? result->verdict.mismatches / result->verdict.compared : 1;
 }
 
 TEST(CascadedShadowMaps, ComeNearerToTheOracleTheFinerTheyAre) {
