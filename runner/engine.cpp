@@ -191,6 +191,18 @@ Result<const technique::Pyramid*> Engine::pyramid(const Map& map, int q, techniq
   return &pyramid;
 }
 
+Result<technique::Pyramids> Engine::pyramids(const Map& map, const std::set<int>& levels,
+                                             const std::string& method) {
+  technique::Pyramids built;
+  for (const int q : levels) {
+    const Result<const technique::Pyramid*> level =
+        pyramid(map, q, technique::find_technique(method)->bounds);
+    if (!level) return level.diagnostics();
+    built[q] = *level;
+  }
+  return built;
+}
+
 Result<technique::Ground> Engine::ground(const Scene& scene, const Map& map, bool on_cpu, glm::dvec2 offset) {
   Result<technique::Ground> seen = points_of(scene, map, on_cpu, offset);
   if (seen) technique::leave_out_holes(*seen, *map);
@@ -220,14 +232,9 @@ Result<image::Image> Engine::render_with_gl(const Scene& scene, const Map& map,
                                             const technique::Ground& ground) {
   const Result<const gl::Info*> info = gl_info();
   if (!info) return info.diagnostics();
-  technique::Pyramids pyramids;
-  for (const int q : ground.levels()) {
-    const Result<const technique::Pyramid*> built =
-        pyramid(map, q, technique::find_technique(scene.shadow.method)->bounds);
-    if (!built) return in_scene(built.diagnostics(), scene);
-    pyramids[q] = *built;
-  }
-  Result<image::Image> image = technique::render_shadow(*programs_, pyramids, scene, ground);
+  const Result<technique::Pyramids> levels = pyramids(map, ground.levels(), scene.shadow.method);
+  if (!levels) return in_scene(levels.diagnostics(), scene);
+  Result<image::Image> image = technique::render_shadow(*programs_, *levels, scene, ground);
   if (!image) return in_scene(image.diagnostics(), scene);
   image->attributes["gnomon:renderer"] = (*info)->renderer + ", OpenGL " + (*info)->version;
   return image;

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "technique/ground.h"
 #include "technique/program_cache.h"
 #include "technique/pyramid.h"
+#include "technique/renderer.h"
 #include "technique/technique.h"
 #include "terrain/georeference.h"
 #include "terrain/height_map.h"
@@ -81,6 +83,9 @@ class Engine {
   [[nodiscard]] Result<const technique::Pyramid*> pyramid(
       const std::shared_ptr<const terrain::HeightMap>& map, int q,
       technique::Bounds bounds = technique::Bounds::kBlockMaxima);
+  /// Those of all these levels, with what the method reads.
+  [[nodiscard]] Result<technique::Pyramids> pyramids(const std::shared_ptr<const terrain::HeightMap>& map,
+                                                     const std::set<int>& levels, const std::string& method);
   [[nodiscard]] technique::ProgramCache& programs() { return *programs_; }
 
  private:

@@ -8,7 +8,6 @@
 
 #include "judge/judge.h"
 #include "technique/renderer.h"
-#include "technique/technique.h"
 
 namespace gnomon::bench {
 namespace {
@@ -68,16 +67,12 @@ Result<Drawn> draw(Engine& engine, const Map& map, const scene::Scene& scene, co
   Result<View> view = view_after(engine, map, scene, first);
   if (!view) return view.diagnostics();
   technique::leave_out_holes(view->ground, *map);
-  technique::Pyramids pyramids;
-  for (const int q : view->ground.levels()) {
-    const Result<const technique::Pyramid*> pyramid =
-        engine.pyramid(map, q, technique::find_technique(scene.shadow.method)->bounds);
-    if (!pyramid) return pyramid.diagnostics();
-    pyramids[q] = *pyramid;
-  }
+  const Result<technique::Pyramids> pyramids =
+      engine.pyramids(map, view->ground.levels(), scene.shadow.method);
+  if (!pyramids) return pyramids.diagnostics();
   double seconds = 0;
   Result<image::Image> image =
-      technique::render_shadow(engine.programs(), pyramids, scene, view->ground, &seconds);
+      technique::render_shadow(engine.programs(), *pyramids, scene, view->ground, &seconds);
   if (!image) return image.diagnostics();
   return Drawn{std::move(view).value(), std::move(image).value(), seconds};
 }

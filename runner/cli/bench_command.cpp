@@ -211,12 +211,18 @@ int run_command(const BenchArguments& arguments, Console& console) {
   }
   nlohmann::json rows = nlohmann::json::array();
   int code = 0;
-  for (const Group& group : experiment.groups(options)) {
+  std::size_t done = 0;
+  const std::vector<Group> groups = experiment.groups(options);
+  for (const Group& group : groups) {
     const Result<Measured> measured = bench::measure(engine, group, arguments.rounds, console.interrupted);
-    if (!measured) {
-      code = report(console, measured.diagnostics());
-      break;  // what was measured before is kept
+    if (!measured) {  // what was measured before is kept
+      code = console.interrupted ? static_cast<int>(Failure::kInterrupted)
+                                 : report(console, measured.diagnostics());
+      if (console.interrupted)
+        console.err << "interrupted: " << done << " of " << groups.size() << " tables were measured\n";
+      break;
     }
+    ++done;
     console.out << to_table(group, *measured) << std::flush;
     for (std::size_t i = 0; i < group.trials.size(); ++i)
       rows.push_back(to_json(group.trials[i], measured->figures[i], measured->pyramid_seconds));
