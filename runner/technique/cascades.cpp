@@ -19,12 +19,13 @@ using glm::dvec3;
 
 /// The sun's view: as an orthographic camera's rays, a pixel of 1 metre.
 CameraRays light_rays(dvec3 to_sun, dvec3 eye) {
-  const dvec3 target = eye - to_sun;
-  return camera_rays({.projection = scene::ViewCamera::Projection::kOrthographic,
-                      .eye = {eye.x, eye.y, eye.z},
-                      .target = {target.x, target.y, target.z},
-                      .extent = 1,
-                      .size = {1, 1}});
+  // Its axes are those of a camera at the origin, whose target is exact; the eye may be far away.
+  CameraRays rays = camera_rays({.projection = scene::ViewCamera::Projection::kOrthographic,
+                                 .target = {-to_sun.x, -to_sun.y, -to_sun.z},
+                                 .extent = 1,
+                                 .size = {1, 1}});
+  rays.eye = eye;
+  return rays;
 }
 
 /// How far along a camera's `forward` the points of a render lie: nearest and farthest, in metres; absent
