@@ -66,10 +66,10 @@ void bind_inputs(const Pass& pass) {
   }
 }
 
-void draw_pixels(const Pass& pass) {
-  const Size size = pass.target->size(pass.target_level);
-  glViewport(0, 0, size.width, size.height);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+Window window_of(const Pass& pass) {
+  if (pass.window) return *pass.window;
+  const Size size = pass.target ? pass.target->size(pass.target_level) : pass.mesh->depth->size();
+  return {.size = {size.width, size.height}};
 }
 
 /// Depth and culling are on only while it lives.
@@ -92,12 +92,12 @@ class DepthState {
   }
 };
 
-void clear_window(const Framebuffer& framebuffer, const Mesh& mesh, bool with_colour) {
+void clear(const Framebuffer& framebuffer, const Pass& pass, const Window& window) {
   constexpr GLfloat kFarthest = 0;
-  glScissor(mesh.first_texel.x, mesh.first_texel.y, mesh.size.x, mesh.size.y);
+  glScissor(window.first.x, window.first.y, window.size.x, window.size.y);
   glEnable(GL_SCISSOR_TEST);
   glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &kFarthest);
-  if (with_colour) glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, &mesh.background.x);
+  if (pass.target) glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, 0, &pass.mesh->background.x);
   glDisable(GL_SCISSOR_TEST);
 }
 
@@ -105,7 +105,6 @@ void clear_window(const Framebuffer& framebuffer, const Mesh& mesh, bool with_co
 void draw_mesh(const Mesh& mesh, GLuint program) {
   constexpr int kMostVertices = 1 << 24;
   const DepthState state(mesh.faces);
-  glViewport(mesh.first_texel.x, mesh.first_texel.y, mesh.size.x, mesh.size.y);
   const int part = std::max(kMostVertices / mesh.strip_vertices, 1);
   const GLint first_strip = glGetUniformLocation(program, "u_first_strip");
   for (int first = 0; first < mesh.strips; first += part) {
@@ -115,23 +114,27 @@ void draw_mesh(const Mesh& mesh, GLuint program) {
   }
 }
 
+void draw_pass(const Framebuffer& framebuffer, const Pass& pass) {
+  glUseProgram(pass.program->name());
+  bind_inputs(pass);
+  const Window window = window_of(pass);
+  glViewport(window.first.x, window.first.y, window.size.x, window.size.y);
+  if (!pass.mesh) return glDrawArrays(GL_TRIANGLES, 0, 3);
+  clear(framebuffer, pass, window);
+  draw_mesh(*pass.mesh, pass.program->name());
+}
+
 }  // namespace
 
-Result<Done> draw(const Pass& pass) {
-  const Framebuffer framebuffer(pass);
+Result<Done> draw(std::span<const Pass> passes) {
+  if (passes.empty()) return Done{};
+  const Framebuffer framebuffer(passes.front());
   if (!framebuffer.complete()) {
     return Diagnostic{.message = "the OpenGL driver cannot render to a float or depth texture",
                       .failure = Failure::kMachine};
   }
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
-  glUseProgram(pass.program->name());
-  bind_inputs(pass);
-  if (pass.mesh) {
-    clear_window(framebuffer, *pass.mesh, pass.target != nullptr);
-    draw_mesh(*pass.mesh, pass.program->name());
-  } else {
-    draw_pixels(pass);
-  }
+  for (const Pass& pass : passes) draw_pass(framebuffer, pass);
   glFinish();
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return Done{};

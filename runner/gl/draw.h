@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// One pass: a program, its inputs, and the texture level that it fills, with every pixel or with a mesh.
+// Passes: a program, its inputs, and the part of a texture level that it fills, with every pixel or with a
+// mesh.
 #pragma once
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -41,9 +43,13 @@ struct Mesh {
   int strip_vertices = 0;
   Faces faces = Faces::kAll;       ///< that are drawn
   const Texture* depth = nullptr;  ///< kDepth32F; cleared in the window before
-  glm::ivec2 first_texel{};        ///< of the window
-  glm::ivec2 size{};               ///< of the window, texels
   glm::vec4 background{};          ///< colour where no triangle lies
+};
+
+/// A part of a target, texels.
+struct Window {
+  glm::ivec2 first{};
+  glm::ivec2 size{};
 };
 
 struct Pass {
@@ -53,11 +59,16 @@ struct Pass {
   std::vector<BufferInput> buffers{};                     ///< likewise
   const Texture* target = nullptr;                        ///< null: only depth is drawn
   int target_level = 0;
-  std::optional<Mesh> mesh{};  ///< instead of every pixel of the target
+  std::optional<Window> window{};  ///< absent: the whole target
+  std::optional<Mesh> mesh{};      ///< instead of every pixel of the window
 };
 
-/// Draws and waits until it is drawn. Long images are drawn in tiles: a hardware
-/// driver resets a context whose single draw takes seconds. Fails with kMachine on any GL error.
-[[nodiscard]] Result<Done> draw(const Pass& pass);
+/// Draws passes one after the other, all into the target (and depth) of the first, and waits until they are
+/// drawn. Long images are drawn in tiles: a hardware driver resets a context whose single draw takes seconds.
+/// Fails with kMachine on any GL error.
+[[nodiscard]] Result<Done> draw(std::span<const Pass> passes);
+[[nodiscard]] inline Result<Done> draw(const Pass& pass) {
+  return draw(std::span(&pass, 1));
+}
 
 }  // namespace gnomon::gl

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -187,8 +186,8 @@ CameraRays square_rays(const CascadeFit& fit, const CascadeSquare& square) {
           .middle = -square.corner / square.texel};
 }
 
-Result<Done> draw_square(const gl::Program& program, const Pyramid& pyramid, const CascadeFit& fit,
-                         std::size_t cascade, const scene::Cascades& cascades, const gl::Texture& nearness) {
+gl::Pass square_pass(const gl::Program& program, const Pyramid& pyramid, const CascadeFit& fit,
+                     std::size_t cascade, const scene::Cascades& cascades, const gl::Texture& nearness) {
   const CameraRays rays = square_rays(fit, fit.squares[cascade]);
   Uniforms uniforms = map_uniforms(pyramid);
   for (auto& uniform : camera_uniforms(rays)) uniforms.push_back(std::move(uniform));
@@ -198,12 +197,12 @@ Result<Done> draw_square(const gl::Program& program, const Pyramid& pyramid, con
   uniforms.emplace_back("u_tile_size", glm::vec2(static_cast<float>(cascades.size)));
   gl::Mesh mesh = grid_mesh(pyramid, cascades.step, faces_of(cascades.faces));
   mesh.depth = &nearness;
-  mesh.first_texel = glm::ivec2(cascade & 1, cascade >> 1) * cascades.size;
-  mesh.size = glm::ivec2(cascades.size);
-  return gl::draw({.program = &program,
-                   .uniforms = std::move(uniforms),
-                   .samplers = map_samplers(pyramid),
-                   .mesh = mesh});
+  return {
+      .program = &program,
+      .uniforms = std::move(uniforms),
+      .samplers = map_samplers(pyramid),
+      .window = gl::Window{glm::ivec2(cascade & 1, cascade >> 1) * cascades.size, glm::ivec2(cascades.size)},
+      .mesh = mesh};
 }
 
 }  // namespace
@@ -227,12 +226,10 @@ Result<CascadeMaps> draw_cascades(ProgramCache& programs, const Pyramid& pyramid
                                  nearness.diagnostics().front().message,
                       .failure = nearness.diagnostics().front().failure};
   }
-  const auto begin = std::chrono::steady_clock::now();
-  for (std::size_t i = 0; i < fit.squares.size(); ++i) {
-    const Result<Done> drawn = draw_square((*program)->program, pyramid, fit, i, cascades, *nearness);
-    if (!drawn) return drawn.diagnostics();
-  }
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  std::vector<gl::Pass> passes;
+  for (std::size_t i = 0; i < fit.squares.size(); ++i)
+    passes.push_back(square_pass((*program)->program, pyramid, fit, i, cascades, *nearness));
+  if (const Result<Done> drawn = draw_timed(passes, &seconds); !drawn) return drawn.diagnostics();
   return CascadeMaps{std::move(nearness).value(), light_uniforms(fit, cascades)};
 }
 

@@ -53,7 +53,8 @@ Result<Done> light_tile(const gl::Program& program, const Pyramid& base, const U
   std::vector<gl::Sampler> samplers = map_samplers(base);
   samplers.push_back({.name = "u_ground", .texture = &points.value()});
   samplers.push_back({.name = "u_albedo", .texture = &colours.value()});
-  const Result<Texels> texels = draw_tile(tile, program, uniforms, std::move(samplers), {}, nullptr);
+  const Result<Texels> texels =
+      draw_tile(tile, {.program = &program, .uniforms = uniforms, .samplers = std::move(samplers)}, nullptr);
   if (!texels) return texels.diagnostics();
   for (int y = 0; y < tile.size.y; ++y) {
     for (int x = 0; x < tile.size.x; ++x) {

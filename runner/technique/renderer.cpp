@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <set>
 
 #include "technique/cascades.h"
 #include "technique/hash.h"
+#include "technique/point_list.h"
 #include "technique/sun.h"
 #include "technique/technique.h"
 #include "technique/tiles.h"
@@ -36,79 +37,48 @@ Diagnostic step_bound_reached(const scene::Scene& scene, int limit, std::size_t 
           .failure = Failure::kFailed};
 }
 
+/// Where answers go.
+struct Answers {
+  const scene::Scene& scene;
+  const Ground& ground;
+  image::Image& image;
+  double seconds = 0;  ///< of the draws
+};
+
 /// What a draw answered for a pixel: b_shadow, k_shadow, steps, cause.
-Result<Done> store(const float* answer, std::size_t pixel, const Pyramid& pyramid, const scene::Scene& scene,
-                   image::Image& image) {
-  if (answer[3] == kUndecided) return step_bound_reached(scene, step_limit(pyramid.size), pixel, image.width);
+Result<Done> store(const float* answer, std::size_t pixel, const Pyramid& pyramid, Answers& answers) {
+  image::Image& image = answers.image;
+  if (answer[3] == kUndecided)
+    return step_bound_reached(answers.scene, step_limit(pyramid.size), pixel, image.width);
   image.channels["b_shadow"][pixel] = answer[0];
   image.channels["k_shadow"][pixel] = answer[1];
   image.channels["steps"][pixel] = answer[2];
   return Done{};
 }
 
-/// Pixels that are neighbours in the image are neighbours in a list too, where groups of its texels walk
-/// together: squares of this side one after the other, in the list as in the image.
-constexpr int kSquare = 8;
-
-/// Pixels in the order of a list.
-std::vector<std::size_t> by_squares(std::vector<std::size_t> pixels, int image_width) {
-  const auto width = static_cast<std::size_t>(image_width);
-  const auto square = [width](std::size_t pixel) {
-    return std::pair(pixel / width / kSquare, pixel % width / kSquare);
-  };
-  std::stable_sort(pixels.begin(), pixels.end(),
-                   [&](std::size_t a, std::size_t b) { return square(a) < square(b); });
-  return pixels;
-}
-
-/// Texels of a list: whole squares, at most kTile a side.
-glm::ivec2 list_size(std::size_t pixels) {
-  const int squares = static_cast<int>((pixels + kSquare * kSquare - 1) / (kSquare * kSquare));
-  const int columns = std::min(squares, kTile / kSquare);
-  return glm::ivec2(columns, (squares + columns - 1) / columns) * kSquare;
-}
-
-/// The texel of a list's entry, as an index row by row.
-std::size_t texel_of(std::size_t entry, glm::ivec2 size) {
-  const std::size_t square = entry / (kSquare * kSquare), inside = entry % (kSquare * kSquare);
-  const auto columns = static_cast<std::size_t>(size.x / kSquare);
-  const std::size_t row = square / columns * kSquare + inside / kSquare;
-  return row * static_cast<std::size_t>(size.x) + square % columns * kSquare + inside % kSquare;
-}
-
-/// The points of these pixels as a list.
-Result<gl::Texture> upload(const Ground& ground, std::span<const std::size_t> pixels, glm::ivec2 size) {
-  std::vector<float> texels(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-  for (std::size_t i = 0; i < pixels.size(); ++i) {
-    const std::size_t texel = texel_of(i, size);
-    texels[4 * texel] = ground.column[pixels[i]];
-    texels[4 * texel + 1] = ground.row[pixels[i]];
-  }
-  Result<gl::Texture> texture = gl::Texture::create(gl::Format::kRgba32F, {size.x, size.y});
-  if (texture) texture->upload(texels);
-  return texture;
-}
-
-/// What every draw of one level takes.
+/// A level, and what its draws take.
 struct Level {
-  const ShadowProgram& with;
   const Pyramid& pyramid;
-  const scene::Scene& scene;
-  const Ground& ground;
-  const Uniforms& uniforms;
+  ShadowProgram with;  ///< with the level's uniforms
 };
 
+gl::Pass pass_of(const Level& level) {
+  return {.program = &level.with.program->program,
+          .uniforms = level.with.uniforms,
+          .samplers = level.with.samplers,
+          .buffers = level.with.buffers};
+}
+
 /// Answers the map camera, whose points the program forms itself, tile by tile.
-Result<Done> answer_tiles(const Level& level, image::Image& image, double* seconds) {
-  for (const Tile& tile : tiles_of(level.ground.size)) {
-    const Result<Texels> texels = draw_tile(tile, level.with.program->program, level.uniforms,
-                                            level.with.samplers, level.with.buffers, seconds);
+Result<Done> answer_tiles(const Level& level, Answers& answers) {
+  for (const Tile& tile : tiles_of(answers.ground.size)) {
+    const Result<Texels> texels = draw_tile(tile, pass_of(level), &answers.seconds);
     if (!texels) return texels.diagnostics();
     for (int y = 0; y < tile.size.y; ++y) {
       for (int x = 0; x < tile.size.x; ++x) {
-        const std::size_t pixel = level.ground.index(tile.first + glm::ivec2(x, y));
-        if (level.ground.valid[pixel] == 0) continue;
-        const Result<Done> stored = store(texels->at(x, y), pixel, level.pyramid, level.scene, image);
+        const std::size_t pixel = answers.ground.index(tile.first + glm::ivec2(x, y));
+        if (answers.ground.valid[pixel] == 0) continue;
+        const Result<Done> stored = store(texels->at(x, y), pixel, level.pyramid, answers);
         if (!stored) return stored;
       }
     }
@@ -116,43 +86,80 @@ Result<Done> answer_tiles(const Level& level, image::Image& image, double* secon
   return Done{};
 }
 
-/// Answers the pixels that ask for the pyramid's level, as a list without gaps: where neighbours ask for
-/// different levels, a draw over the image would walk for pixels that it does not answer.
-Result<Done> answer_list(const Level& level, image::Image& image, double* seconds) {
-  const std::vector<std::size_t> asking =
-      by_squares(level.ground.asking(level.pyramid.q), level.ground.size.x);
-  constexpr std::size_t kMost = std::size_t{kTile} * kTile;
-  for (std::size_t first = 0; first < asking.size(); first += kMost) {
-    const std::span pixels = std::span(asking).subspan(first, std::min(kMost, asking.size() - first));
-    const glm::ivec2 size = list_size(pixels.size());
-    const Result<gl::Texture> points = upload(level.ground, pixels, size);
-    if (!points) return points.diagnostics();
-    std::vector<gl::Sampler> samplers = level.with.samplers;
-    samplers.push_back({.name = "u_points", .texture = &points.value()});
-    const Result<Texels> texels = draw_tile({.first = {}, .size = size}, level.with.program->program,
-                                            level.uniforms, std::move(samplers), level.with.buffers, seconds);
-    if (!texels) return texels.diagnostics();
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      const Result<Done> stored =
-          store(&texels->values[4 * texel_of(i, size)], pixels[i], level.pyramid, level.scene, image);
+Result<gl::Texture> upload(const PointList& list, const Ground& ground) {
+  const glm::ivec2 size = size_of(list);
+  std::vector<float> texels(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+  for (const Band& band : list) {
+    for (std::size_t i = 0; i < band.pixels.size(); ++i) {
+      const glm::ivec2 at = band.texel(i);
+      float* texel = &texels[4 * static_cast<std::size_t>(at.y * size.x + at.x)];
+      texel[0] = ground.column[band.pixels[i]];
+      texel[1] = ground.row[band.pixels[i]];
+    }
+  }
+  Result<gl::Texture> texture = answers_of(size);
+  if (texture) texture->upload(texels);
+  return texture;
+}
+
+using Levels = std::map<int, Level>;
+
+Result<Done> store(const PointList& list, const Texels& texels, const Levels& levels, Answers& answers) {
+  for (const Band& band : list) {
+    const Pyramid& pyramid = levels.at(band.q).pyramid;
+    for (std::size_t i = 0; i < band.pixels.size(); ++i) {
+      const glm::ivec2 at = band.texel(i);
+      const Result<Done> stored = store(texels.at(at.x, at.y), band.pixels[i], pyramid, answers);
       if (!stored) return stored;
     }
   }
   return Done{};
 }
 
-Result<Done> answer_level(const ShadowProgram& with, const Pyramid& pyramid, const scene::Scene& scene,
-                          const Ground& ground, image::Image& image, double* seconds) {
-  Uniforms uniforms = shadow_uniforms(pyramid, scene, ground);
-  uniforms.insert(uniforms.end(), with.uniforms.begin(), with.uniforms.end());
-  const Level level{with, pyramid, scene, ground, uniforms};
-  const bool is_map = ground.texels_per_pixel.x > 0;
-  return is_map ? answer_tiles(level, image, seconds) : answer_list(level, image, seconds);
+/// Answers the points of other cameras as lists, all levels in one go: where neighbours ask for different
+/// levels, draws over the image would walk for pixels that they do not answer.
+Result<Done> answer_lists(const Levels& levels, Answers& answers) {
+  std::set<int> asked;
+  for (const auto& [q, level] : levels) asked.insert(q);
+  for (const PointList& list : point_lists(answers.ground, asked)) {
+    const Result<gl::Texture> points = upload(list, answers.ground);
+    if (!points) return points.diagnostics();
+    const Result<gl::Texture> target = answers_of(size_of(list));
+    if (!target) return target.diagnostics();
+    std::vector<gl::Pass> passes;
+    for (const Band& band : list) {
+      passes.push_back(pass_of(levels.at(band.q)));
+      passes.back().samplers.push_back({.name = "u_points", .texture = &*points});
+      passes.back().target = &*target;
+      passes.back().window = band.window;
+    }
+    if (const Result<Done> drawn = draw_timed(passes, &answers.seconds); !drawn) return drawn;
+    const Result<Done> stored = store(list, {target->download(), target->size().width}, levels, answers);
+    if (!stored) return stored;
+  }
+  return Done{};
 }
 
-void tell_origin(const ShadowProgram& with, image::Image& image) {
-  image.attributes["gnomon:shader_hash"] = with.program->shader_hash;
-  image.attributes["gnomon:program_hash"] = with.program->program_hash;
+Result<Done> answer(const Levels& levels, Answers& answers) {
+  const bool is_map = answers.ground.texels_per_pixel.x > 0;
+  if (!is_map) return answer_lists(levels, answers);
+  for (const auto& [q, level] : levels) {
+    if (const Result<Done> answered = answer_tiles(level, answers); !answered) return answered;
+  }
+  return Done{};
+}
+
+Level level_of(ShadowProgram with, const Pyramid& pyramid, const Answers& answers) {
+  Uniforms uniforms = shadow_uniforms(pyramid, answers.scene, answers.ground);
+  // Later ones stand: a method's own count of levels, in place of that of the block maxima.
+  uniforms.insert(uniforms.end(), with.uniforms.begin(), with.uniforms.end());
+  with.uniforms = std::move(uniforms);
+  return {pyramid, std::move(with)};
+}
+
+void tell_origin(const CachedProgram& program, image::Image& image) {
+  image.attributes["gnomon:shader_hash"] = program.shader_hash;
+  image.attributes["gnomon:program_hash"] = program.program_hash;
 }
 
 void add_literal_extrema(const Pyramid& pyramid, ShadowProgram& with) {
@@ -162,21 +169,33 @@ void add_literal_extrema(const Pyramid& pyramid, ShadowProgram& with) {
     with.samplers.push_back(
         {.name = "gnomon_literal_extrema", .texture = &*pyramid.literal_extrema, .last_level = levels - 1});
   }
-  with.uniforms.emplace_back("u_map_top_level", levels);  // in place of that of the block maxima
+  with.uniforms.emplace_back("u_map_top_level", levels);
 }
 
-/// Answers one level by a program whose samplers are those of its pyramid.
-Result<Done> answer_technique(ProgramCache& programs, const Technique& technique, ShadowProgram with,
-                              const Pyramid& pyramid, const scene::Scene& scene, const Ground& ground,
-                              image::Image& image, double* seconds) {
-  if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(pyramid, with);
-  if (technique.bounds != Bounds::kCascades)
-    return answer_level(with, pyramid, scene, ground, image, seconds);
-  Result<CascadeMaps> maps = draw_cascades(programs, pyramid, scene, ground, *seconds);
-  if (!maps) return maps.diagnostics();
-  with.samplers.push_back({.name = "gnomon_light_nearness", .texture = &maps->nearness});
-  with.uniforms = std::move(maps->uniforms);
-  return answer_level(with, pyramid, scene, ground, image, seconds);
+/// Each level's cascades are drawn from its own mesh, and live no longer than its answers: they are large.
+Result<Done> answer_cascades(ProgramCache& programs, const Levels& levels, Answers& answers) {
+  for (const auto& [q, level] : levels) {
+    Result<CascadeMaps> maps =
+        draw_cascades(programs, level.pyramid, answers.scene, answers.ground, answers.seconds);
+    if (!maps) return maps.diagnostics();
+    Level lit = level;
+    lit.with.samplers.push_back({.name = "gnomon_light_nearness", .texture = &maps->nearness});
+    lit.with.uniforms.insert(lit.with.uniforms.end(), maps->uniforms.begin(), maps->uniforms.end());
+    if (const Result<Done> answered = answer({{q, lit}}, answers); !answered) return answered;
+  }
+  return Done{};
+}
+
+Result<Done> answer_technique(ProgramCache& programs, const Technique& technique,
+                              const CachedProgram& program, const Pyramids& pyramids, Answers& answers) {
+  Levels levels;
+  for (const auto& [q, pyramid] : pyramids) {
+    ShadowProgram with{.program = &program, .samplers = map_samplers(*pyramid)};
+    if (technique.bounds == Bounds::kLiteralExtrema) add_literal_extrema(*pyramid, with);
+    levels.emplace(q, level_of(std::move(with), *pyramid, answers));
+  }
+  return technique.bounds == Bounds::kCascades ? answer_cascades(programs, levels, answers)
+                                               : answer(levels, answers);
 }
 
 }  // namespace
@@ -187,21 +206,17 @@ Result<image::Image> render_shadow(ProgramCache& programs, const Pyramids& pyram
   const Result<const CachedProgram*> program = programs.get(technique.program);
   if (!program) return program.diagnostics();
   image::Image image = lit_image(ground);
-  double seconds = 0;
-  for (const auto& [q, pyramid] : pyramids) {
-    const Result<Done> answered =
-        answer_technique(programs, technique, {.program = *program, .samplers = map_samplers(*pyramid)},
-                         *pyramid, scene, ground, image, &seconds);
-    if (!answered) return answered.diagnostics();
-  }
-  tell_origin({.program = *program, .samplers = {}}, image);
+  Answers answers{scene, ground, image};
+  const Result<Done> answered = answer_technique(programs, technique, **program, pyramids, answers);
+  if (!answered) return answered.diagnostics();
+  tell_origin(**program, image);
   if (technique.bounds == Bounds::kCascades) {
     const bool holes = !pyramids.empty() && pyramids.begin()->second->holes;
     const Result<const CachedProgram*> depth = depth_program(programs, holes);
     if (!depth) return depth.diagnostics();
     image.attributes["gnomon:program_hash"] = hash_text((*program)->program_hash + (*depth)->program_hash);
   }
-  if (draw_seconds) *draw_seconds = seconds;
+  if (draw_seconds) *draw_seconds = answers.seconds;
   return image;
 }
 
@@ -209,11 +224,11 @@ Result<image::Image> render_shadow_with(const ShadowProgram& with, const Pyramid
                                         const scene::Scene& scene, const Ground& ground,
                                         double* draw_seconds) {
   image::Image image = lit_image(ground);
-  double seconds = 0;
-  const Result<Done> answered = answer_level(with, pyramid, scene, ground, image, &seconds);
+  Answers answers{scene, ground, image};
+  const Result<Done> answered = answer({{pyramid.q, level_of(with, pyramid, answers)}}, answers);
   if (!answered) return answered.diagnostics();
-  tell_origin(with, image);
-  if (draw_seconds) *draw_seconds = seconds;
+  tell_origin(*with.program, image);
+  if (draw_seconds) *draw_seconds = answers.seconds;
   return image;
 }
 

@@ -75,9 +75,12 @@ Result<Ground> seen_ground(ProgramCache& programs, const Pyramid& base, const sc
   uniforms.emplace_back("u_level", shadow.q.value_or(-1));
   uniforms.emplace_back("u_max_anisotropy", static_cast<float>(shadow.max_anisotropy));
   uniforms.emplace_back("u_coarsest", terrain::coarsest_level(base.size.x, base.size.y));
+  const gl::Pass pass{.program = &view->program->program,
+                      .uniforms = std::move(uniforms),
+                      .samplers = map_samplers(base),
+                      .mesh = view->mesh};
   for (const Tile& tile : tiles_of(ground.size)) {
-    const Result<Texels> texels =
-        draw_tile(tile, view->program->program, uniforms, map_samplers(base), {}, draw_seconds, view->mesh);
+    const Result<Texels> texels = draw_tile(tile, pass, draw_seconds);
     if (!texels) return texels.diagnostics();
     if (const Result<Done> stored = store(*texels, tile, ground); !stored) return stored.diagnostics();
   }

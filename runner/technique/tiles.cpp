@@ -58,30 +58,31 @@ Result<gl::Texture> upload_points(const Ground& ground, const Tile& tile, const 
   return texture;
 }
 
-Result<Texels> draw_tile(const Tile& tile, const gl::Program& program, Uniforms uniforms,
-                         std::vector<gl::Sampler> samplers, std::vector<gl::BufferInput> buffers,
-                         double* seconds, std::optional<gl::Mesh> mesh) {
-  const gl::Size size{tile.size.x, tile.size.y};
-  const Result<gl::Texture> target = gl::Texture::create(gl::Format::kRgba32F, size);
+Result<gl::Texture> answers_of(glm::ivec2 size) {
+  return gl::Texture::create(gl::Format::kRgba32F, {size.x, size.y});
+}
+
+Result<Done> draw_timed(std::span<const gl::Pass> passes, double* seconds) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<Done> drawn = gl::draw(passes);
+  if (seconds) *seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return drawn;
+}
+
+Result<Texels> draw_tile(const Tile& tile, gl::Pass pass, double* seconds) {
+  const Result<gl::Texture> target = answers_of(tile.size);
   if (!target) return target.diagnostics();
+  pass.target = &*target;
   std::optional<gl::Texture> depth;
-  if (mesh) {
-    Result<gl::Texture> made = gl::Texture::create(gl::Format::kDepth32F, size);
+  if (pass.mesh) {
+    Result<gl::Texture> made = gl::Texture::create(gl::Format::kDepth32F, {tile.size.x, tile.size.y});
     if (!made) return made.diagnostics();
     depth = std::move(made).value();
-    mesh->depth = &*depth;
-    mesh->size = tile.size;
+    pass.mesh->depth = &*depth;
   }
-  uniforms.emplace_back("u_first_pixel", glm::vec2(tile.first));
-  uniforms.emplace_back("u_tile_size", glm::vec2(tile.size));
-  const auto begin = std::chrono::steady_clock::now();
-  const Result<Done> drawn = gl::draw({.program = &program,
-                                       .uniforms = std::move(uniforms),
-                                       .samplers = std::move(samplers),
-                                       .buffers = std::move(buffers),
-                                       .target = &target.value(),
-                                       .mesh = mesh});
-  if (seconds) *seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  pass.uniforms.emplace_back("u_first_pixel", glm::vec2(tile.first));
+  pass.uniforms.emplace_back("u_tile_size", glm::vec2(tile.size));
+  const Result<Done> drawn = draw_timed({&pass, 1}, seconds);
   if (!drawn) return drawn.diagnostics();
   return Texels{target->download(), tile.size.x};
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
-#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,11 +55,14 @@ struct Texels {
   }
 };
 
-/// Draws one tile of an image, or of a mesh where one is given, into an RGBA32F target and reads it back;
-/// adds the draw's own time to `seconds`, where given. The mesh's window and depth are those of the tile.
-[[nodiscard]] Result<Texels> draw_tile(const Tile& tile, const gl::Program& program, Uniforms uniforms,
-                                       std::vector<gl::Sampler> samplers,
-                                       std::vector<gl::BufferInput> buffers, double* seconds,
-                                       std::optional<gl::Mesh> mesh = {});
+/// An RGBA32F target.
+[[nodiscard]] Result<gl::Texture> answers_of(glm::ivec2 size);
+
+/// As gl::draw; adds the draws' own time to `seconds`, where given.
+[[nodiscard]] Result<Done> draw_timed(std::span<const gl::Pass> passes, double* seconds);
+
+/// Draws one tile of an image, or of a mesh, into an RGBA32F target and reads it back; adds the draw's own
+/// time to `seconds`, where given. Target, the mesh's depth, u_first_pixel and u_tile_size are the tile's.
+[[nodiscard]] Result<Texels> draw_tile(const Tile& tile, gl::Pass pass, double* seconds);
 
 }  // namespace gnomon::technique
