@@ -49,9 +49,9 @@ SunOnMap sun_by_time(const Value& value, const std::optional<MapCentre>& centre,
   if (const Value* refraction = value.find("refraction")) time.refraction = std::get<bool>(refraction->data);
   if (std::optional<SunOnMap> sun = sun_at(time, centre)) return *std::move(sun);
   if (!value.find("latitude") && !value.find("longitude")) {  // else the one that is missing has been named
-    // The mistake is the section's: key frames bring times of their own. --set of a time is its own mistake.
-    const bool is_section = written.place.source == value.place.source;
-    report.error(is_section ? value.place : written.place, is_section ? "/sun" : "/sun/time",
+    // Each key frame brings a time of its own, but the mistake is one; what --set brought is its own.
+    const bool by_option = written.place.source != 0;
+    report.error(by_option ? written.place : value.place, by_option ? "/sun/time" : "/sun",
                  "the place is missing: give \"latitude\" and \"longitude\" beside \"time\", in degrees; the "
                  "terrain does not say where on the earth it lies");
   }

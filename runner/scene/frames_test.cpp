@@ -284,18 +284,18 @@ TEST_F(FramesTest, MistakesInTimesAreSaidAtTheKey) {
     return errors(timed("2024-06-21T06:00:00Z", 3, time_key(2, time)));
   };
   EXPECT_EQ(mistake("2023-02-29T12:00:00Z"),
-            "s.json:4:60:" + expected + "\"2023-02-29T12:00:00Z\": February 2023 has the days 01 to 28");
+            "s.json:4:62:" + expected + "\"2023-02-29T12:00:00Z\": February 2023 has the days 01 to 28");
   EXPECT_EQ(mistake("2101-01-01T00:00:00Z"),
-            "s.json:4:60:" + expected +
+            "s.json:4:62:" + expected +
                 "\"2101-01-01T00:00:00Z\": the sun's position is known for the years 1900 to 2100");
   EXPECT_EQ(
       mistake("2024-06-21T12:00:00"),
-      "s.json:4:60:" + expected +
+      "s.json:4:62:" + expected +
           "\"2024-06-21T12:00:00\": the Z at the end is missing, which says that it is UTC and no local "
           "time");
   EXPECT_EQ(
       errors(timed("2024-06-21T06:00:00Z", 3, R"({"frame": 2, "sun": {"time": 6}})")),
-      "s.json:4:60: error: /frames/keys/0/sun/time: expected a string that is not empty (UTC), got 6. As "
+      "s.json:4:62: error: /frames/keys/0/sun/time: expected a string that is not empty (UTC), got 6. As "
       "sun.time; from key to key evenly in time. Place and refraction stay those of the scene.");
   EXPECT_EQ(errors(timed("yesterday", 3, time_key(2, "2024-06-21T06:00:00Z"))),
             "s.json:3:17: error: /sun/time: expected a time in UTC such as 2024-06-21T12:00:00Z, got "
@@ -305,8 +305,14 @@ TEST_F(FramesTest, MistakesInTimesAreSaidAtTheKey) {
             "s.json:3:8: error: /sun: the place is missing: give \"latitude\" and \"longitude\" beside "
             "\"time\", in degrees; the terrain does not say where on the earth it lies")
       << "once, not for each key";
+  const std::string angles =
+      scene(R"("frames": {"count": 2, "keys": [{"frame": 1, "sun": {"azimuth": 6}}]})");
+  EXPECT_EQ(
+      errors(angles, {"sun.time=2024-06-21T06:00:00Z"}),
+      "--set sun.time: error: /sun/time: the place is missing: give \"latitude\" and \"longitude\" beside "
+      "\"time\", in degrees; the terrain does not say where on the earth it lies");
   EXPECT_EQ(errors(timed("2024-06-21T06:00:00Z", 2, R"({"frame": 1, "sun": {"latitude": 6}})")),
-            "s.json:4:52: error: /frames/keys/0/sun/latitude: unknown key \"latitude\"; expected one of "
+            "s.json:4:54: error: /frames/keys/0/sun/latitude: unknown key \"latitude\"; expected one of "
             "\"azimuth\", \"elevation\", \"direction\", \"time\"");
 }
 
@@ -323,9 +329,9 @@ TEST_F(FramesTest, KeysGiveTheSunAsTheSceneDoes) {
   EXPECT_EQ(
       errors(timed("2024-06-21T06:00:00Z", 4,
                    R"({"frame": 1, "sun": {"azimuth": 5}}, {"frame": 3, "sun": {"azimuth": 7}})")),
-      "s.json:4:63: error: /frames/keys/0/sun/azimuth: \"azimuth\" moves a sun that is given by "
+      "s.json:4:65: error: /frames/keys/0/sun/azimuth: \"azimuth\" moves a sun that is given by "
       "\"azimuth\" and \"elevation\", and the scene gives its sun by \"time\": give both in the same way\n"
-      "s.json:4:100: error: /frames/keys/1/sun/azimuth: \"azimuth\" moves a sun that is given by "
+      "s.json:4:102: error: /frames/keys/1/sun/azimuth: \"azimuth\" moves a sun that is given by "
       "\"azimuth\" and \"elevation\", and the scene gives its sun by \"time\": give both in the same way");
   EXPECT_EQ(
       errors(scene("\"matrix\": {\"sun.time\": [\"2024-06-21T06:00:00Z\"]},\n"
@@ -351,7 +357,9 @@ TEST_F(FramesTest, ADirectionTakesTheGreatCircleAtConstantSpeed) {
   for (int i = 0; i <= 5; ++i) {
     const auto at = static_cast<std::size_t>(i);
     EXPECT_NEAR(heights[at], i <= 3 ? 30 * i : 180 - 30 * i, 1e-9) << i;
-    if (i != 3) EXPECT_NEAR(compass[at], i < 3 ? 90 : 270, 1e-9) << i;
+    if (i != 3) {
+      EXPECT_NEAR(compass[at], i < 3 ? 90 : 270, 1e-9) << i;
+    }
   }
   // Between two suns of one elevation the great circle climbs: tan(middle) = tan(elevation) / cos(half the
   // turn).
@@ -363,15 +371,15 @@ TEST_F(FramesTest, ADirectionTakesTheGreatCircleAtConstantSpeed) {
 
 TEST_F(FramesTest, DirectionsThatTellNoWayAreErrors) {
   EXPECT_EQ(errors(directed("[1, 0, 1]", 2, "[-2, 0, -2]")),
-            "s.json:4:65: error: /frames/keys/0/sun/direction: this direction is opposite to the one before "
+            "s.json:4:67: error: /frames/keys/0/sun/direction: this direction is opposite to the one before "
             "it, and no way between them is the shortest; tell the way with a key between");
   EXPECT_EQ(errors(directed("[1, 0, 1]", 1, "[-2, 0, -2]")), "") << "nothing lies between";
   EXPECT_EQ(
       errors(directed("[1, 0, 1]", 2, "[0, 0, 0]")),
-      "s.json:4:65: error: /frames/keys/0/sun/direction: the direction has no length; expected a vector "
+      "s.json:4:67: error: /frames/keys/0/sun/direction: the direction has no length; expected a vector "
       "towards the sun");
   EXPECT_EQ(errors(directed("[0, 0, 0]", 2, "[1, 0, 1]")),
-            "s.json:3:21: error: /sun/direction: the direction has no length; expected a vector towards the "
+            "s.json:3:22: error: /sun/direction: the direction has no length; expected a vector towards the "
             "sun");
 }
 
