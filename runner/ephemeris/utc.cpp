@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <chrono>
+#include <cstdint>
 #include <optional>
 
 namespace gnomon::ephemeris {
@@ -116,6 +118,27 @@ std::string zone_problem(std::string_view rest) {
   return fmt::format("nothing but Z may follow the time, not \"{}\"", rest.substr(0, 20));
 }
 
+using Moment = std::chrono::sys_time<std::chrono::nanoseconds>;
+
+Moment moment_of(const Utc& time) {
+  const std::chrono::sys_days date{std::chrono::year(time.year) / time.month / time.day};
+  return date + std::chrono::hours(time.hour) + std::chrono::minutes(time.minute) +
+         std::chrono::seconds(time.second) + std::chrono::nanoseconds(time.nanosecond);
+}
+
+Utc utc_of(Moment moment) {
+  const auto midnight = std::chrono::floor<std::chrono::days>(moment);
+  const std::chrono::year_month_day date{midnight};
+  const std::chrono::hh_mm_ss clock{moment - midnight};
+  return {int(date.year()),
+          int(unsigned(date.month())),
+          int(unsigned(date.day())),
+          int(clock.hours().count()),
+          int(clock.minutes().count()),
+          int(clock.seconds().count()),
+          int(clock.subseconds().count())};
+}
+
 }  // namespace
 
 Result<Utc> parse_utc(std::string_view text) {
@@ -139,6 +162,14 @@ std::string to_string(const Utc& time) {
     text.erase(text.find_last_not_of('0') + 1);
   }
   return text + "Z";
+}
+
+Utc between(const Utc& from, const Utc& to, int step, int steps) {
+  // In whole nanoseconds, of which 201 years fit a signed 64-bit integer; the product of both would not.
+  const std::int64_t way = (moment_of(to) - moment_of(from)).count();
+  const std::int64_t rest = way % steps * step, half = way < 0 ? -steps : steps;
+  const std::int64_t gone = way / steps * step + (2 * rest + half) / (2 * std::int64_t{steps});
+  return utc_of(moment_of(from) + std::chrono::nanoseconds(gone));
 }
 
 }  // namespace gnomon::ephemeris

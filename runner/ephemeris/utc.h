@@ -28,4 +28,9 @@ struct Utc {
 /// "2024-06-21T12:00:00Z", with a fraction of a second only where there is one: one text for each moment.
 [[nodiscard]] std::string to_string(const Utc& time);
 
+/// The moment after `step` of the `steps` equal parts of the way from one to another, to the nearest
+/// nanosecond; `to` may be the earlier one. Every day has 86,400 seconds here: leap seconds are not counted.
+/// Both are times that parse_utc gives, and 0 <= step <= steps, 0 < steps <= 10^9.
+[[nodiscard]] Utc between(const Utc& from, const Utc& to, int step, int steps);
+
 }  // namespace gnomon::ephemeris

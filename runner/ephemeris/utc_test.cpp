@@ -73,5 +73,33 @@ TEST(Utc, RefusesOtherShapes) {
   }
 }
 
+std::string part(const char* from, const char* to, int step, int steps) {
+  return to_string(between(*parse_utc(from), *parse_utc(to), step, steps));
+}
+
+TEST(Utc, BetweenTwoTimesCountsEvenly) {
+  EXPECT_EQ(part("2024-06-21T06:00:00Z", "2024-06-21T18:00:00Z", 1, 2), "2024-06-21T12:00:00Z");
+  EXPECT_EQ(part("2024-06-21T06:00:00Z", "2024-06-21T07:00:00Z", 2, 3), "2024-06-21T06:40:00Z");
+  EXPECT_EQ(part("2024-06-21T06:00:00Z", "2024-06-21T06:00:00Z", 1, 2), "2024-06-21T06:00:00Z");
+  EXPECT_EQ(part("2024-06-21T22:00:00Z", "2024-06-22T04:00:00Z", 1, 2), "2024-06-22T01:00:00Z");
+  EXPECT_EQ(part("2024-12-31T23:59:59Z", "2025-01-01T00:00:02Z", 1, 2), "2025-01-01T00:00:00.5Z");
+  EXPECT_EQ(part("2024-02-28T12:00:00Z", "2024-03-01T12:00:00Z", 1, 2), "2024-02-29T12:00:00Z");
+  EXPECT_EQ(part("2023-02-28T12:00:00Z", "2023-03-01T12:00:00Z", 1, 2), "2023-03-01T00:00:00Z");
+  EXPECT_EQ(part("2024-06-22T04:00:00Z", "2024-06-21T22:00:00Z", 1, 3), "2024-06-22T02:00:00Z") << "back";
+}
+
+TEST(Utc, BetweenTwoTimesIsExactToTheNanosecond) {
+  EXPECT_EQ(part("2024-06-21T06:00:00Z", "2024-06-21T06:00:01Z", 1, 3), "2024-06-21T06:00:00.333333333Z");
+  EXPECT_EQ(part("2024-06-21T06:00:00Z", "2024-06-21T06:00:01Z", 2, 3), "2024-06-21T06:00:00.666666667Z");
+  EXPECT_EQ(part("2024-06-21T06:00:01Z", "2024-06-21T06:00:00Z", 2, 3), "2024-06-21T06:00:00.333333333Z");
+  // The longest way: 73,414 days less a nanosecond.
+  const char *first = "1900-01-01T00:00:00Z", *last = "2100-12-31T23:59:59.999999999Z";
+  EXPECT_EQ(part(first, last, 0, 10000), first);
+  EXPECT_EQ(part(first, last, 10000, 10000), last);
+  EXPECT_EQ(part(last, first, 10000, 10000), first);
+  EXPECT_EQ(part(first, last, 1, 73414), "1900-01-02T00:00:00Z");
+  EXPECT_EQ(part(last, first, 73413, 73414), "1900-01-02T00:00:00Z");
+}
+
 }  // namespace
 }  // namespace gnomon::ephemeris

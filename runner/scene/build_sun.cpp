@@ -14,15 +14,12 @@ namespace {
 using json::Value;
 
 Sun sun_towards(const Value& direction, Report& report) {
-  std::array<double, 3> v{};
-  for (std::size_t i = 0; i < v.size(); ++i) v[i] = direction.array()[i].number();
-  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-  if (largest == 0) {
-    report.error(direction.place, "/sun/direction",
-                 "the direction has no length; expected a vector towards the sun");
+  const Result<std::array<double, 3>> towards = direction_of(direction);
+  if (!towards) {
+    report.error(direction.place, "/sun/direction", towards.diagnostics().front().message);
     return {};
   }
-  for (double& component : v) component /= largest;  // keeps the squares from overflowing
+  const std::array<double, 3>& v = *towards;
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   return {compass(std::atan2(v[0], v[1]) * kDegrees), std::atan2(v[2], std::hypot(v[0], v[1])) * kDegrees};
 }
@@ -52,7 +49,9 @@ SunOnMap sun_by_time(const Value& value, const std::optional<MapCentre>& centre,
   if (const Value* refraction = value.find("refraction")) time.refraction = std::get<bool>(refraction->data);
   if (std::optional<SunOnMap> sun = sun_at(time, centre)) return *std::move(sun);
   if (!value.find("latitude") && !value.find("longitude")) {  // else the one that is missing has been named
-    report.error(written.place, "/sun/time",
+    // Each key frame brings a time of its own, but the mistake is one; what --set brought is its own.
+    const bool by_option = written.place.source != 0;
+    report.error(by_option ? written.place : value.place, by_option ? "/sun/time" : "/sun",
                  "the place is missing: give \"latitude\" and \"longitude\" beside \"time\", in degrees; the "
                  "terrain does not say where on the earth it lies");
   }
@@ -60,6 +59,16 @@ SunOnMap sun_by_time(const Value& value, const std::optional<MapCentre>& centre,
 }
 
 }  // namespace
+
+Result<std::array<double, 3>> direction_of(const Value& direction) {
+  std::array<double, 3> v{};
+  for (std::size_t i = 0; i < v.size(); ++i) v[i] = direction.array()[i].number();
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (largest == 0)
+    return Diagnostic{.message = "the direction has no length; expected a vector towards the sun"};
+  for (double& component : v) component /= largest;  // keeps the squares from overflowing
+  return v;
+}
 
 SunOnMap read_sun(const Value* value, const std::optional<MapCentre>& centre, Report& report) {
   Sun sun;

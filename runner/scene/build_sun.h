@@ -2,8 +2,10 @@
 // The "sun" of a scene: from its document, and back in canonical form.
 #pragma once
 
+#include <array>
 #include <optional>
 
+#include "gnomon/diagnostic.h"
 #include "scene/json.h"
 #include "scene/load.h"
 #include "scene/report.h"
@@ -15,6 +17,10 @@ namespace gnomon::scene {
 /// note is empty where nothing has to be said.
 [[nodiscard]] SunOnMap read_sun(const json::Value* value, const std::optional<MapCentre>& centre,
                                 Report& report);
+
+/// The vector under "direction", scaled so that its largest component is 1 or -1. Fails, without a file's
+/// name, where it has no length. `direction` is a list of three numbers.
+[[nodiscard]] Result<std::array<double, 3>> direction_of(const json::Value& direction);
 
 /// With every default filled in. A time stays a time, so that it reads as it was asked, and a later library's
 /// last digits do not change what a scene is; the place of a map follows from its file.

@@ -2,9 +2,11 @@
 #include "scene/frames.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
+#include "ephemeris/utc.h"
+#include "scene/between.h"
+#include "scene/build_sun.h"
 #include "scene/edit.h"
 #include "scene/schema.h"
 #include "scene/suggest.h"
@@ -15,32 +17,6 @@ namespace {
 
 using json::child;
 using json::Value;
-
-/// From an azimuth to another one, along the shorter arc; clockwise where both arcs are half a circle.
-double turn(double from, double to) {
-  const double shorter = std::remainder(to - from, 360.0);
-  return shorter == -180.0 ? 180.0 : shorter;
-}
-
-/// Linear between two numbers or two lists of numbers of one length.
-Value between(const Value& from, const Value& to, double share, bool is_azimuth) {
-  const json::Array *start = from.get_if<json::Array>(), *end = to.get_if<json::Array>();
-  if (start && end) {
-    json::Array numbers;
-    for (std::size_t i = 0; i < start->size(); ++i)
-      numbers.push_back(between((*start)[i], (*end)[i], share, is_azimuth));
-    return {std::move(numbers), to.place};
-  }
-  const double way = is_azimuth ? turn(from.number(), to.number()) : to.number() - from.number();
-  return {from.number() + share * way, to.place};
-}
-
-/// Whether there is something between them: what the scene itself says may have any shape.
-bool alike(const Value& a, const Value& b) {
-  const json::Array *one = a.get_if<json::Array>(), *other = b.get_if<json::Array>();
-  if (!one || !other) return a.is_number() && b.is_number();
-  return std::equal(one->begin(), one->end(), other->begin(), other->end(), alike);
-}
 
 /// What the scene says of a key, or the schema's default.
 const Value* written_or_default(const Value& root, const std::string& key) {
@@ -65,6 +41,35 @@ bool may_hold(const Value& root, const char* section, const std::string& key) {
   const Value* alternative =
       choose_alternative(*member_schema(scene_schema(), section), value ? *value : kNothing);
   return !alternative || member_schema(*alternative, key);
+}
+
+/// How a sun is given that has this property.
+std::string given_by(const std::string& property) {
+  const bool is_angle = property == "azimuth" || property == "elevation";
+  return is_angle ? R"("azimuth" and "elevation")" : "\"" + property + "\"";
+}
+
+/// Why frames cannot move this property of the scene's sun, which is given in another way.
+std::string unfit_for_sun(const Value& root, const std::string& property) {
+  const Value* sun = root.find("sun");
+  const std::string needed = "\"" + property + "\" moves a sun that is given by " + given_by(property);
+  if (!sun || sun->object().empty())
+    return needed + ", and the scene says nothing of its sun: write \"sun\": {" + given_by(property) +
+           ": ...} for frame 0";
+  const std::string written = sun->find("direction") ? "direction" : sun->find("time") ? "time" : "azimuth";
+  return needed + ", and the scene gives its sun by " + given_by(written) + ": give both in the same way";
+}
+
+/// What is wrong with a key's value of the sun that the schema does not say.
+std::optional<std::string> mistake_in(const json::Member& property) {
+  if (property.key == "time") {
+    const Result<ephemeris::Utc> time = ephemeris::parse_utc(property.value.text());
+    if (!time) return time.diagnostics().front().message;
+  } else if (property.key == "direction") {
+    const Result<std::array<double, 3>> direction = direction_of(property.value);
+    if (!direction) return direction.diagnostics().front().message;
+  }
+  return std::nullopt;
 }
 
 /// "perspective" or "orthographic", or nothing for cameras that stand nowhere.
@@ -132,6 +137,10 @@ void Frames::read_key(const Value& key, const std::string& pointer, const std::v
     const std::string inside = child(pointer, member.key);
     if (member.key == "sun") {
       add(true, "", member.value, frame, inside);
+      for (const json::Member& property : member.value.object()) {
+        if (const std::optional<std::string> mistake = mistake_in(property))
+          report.error(property.value.place, child(inside, property.key), *mistake);
+      }
     } else if (member.key == "camera") {
       add(false, "", member.value, frame, inside);
       if (!cameras.empty())
@@ -172,7 +181,7 @@ void Frames::add(bool of_sun, const std::string& camera, const Value& properties
 /// last one it stays. Returns the key that the value was taken from or is on its way to; null where the
 /// scene's own value stands.
 const Frames::Key* Frames::move(const Track& track, int frame, const std::string& key, Value& root,
-                                Aliases& aliases) const {
+                                Aliases& aliases, std::vector<Problem>& problems) const {
   const auto next =
       std::find_if(track.keys.begin(), track.keys.end(), [&](const Key& k) { return k.frame >= frame; });
   const Key& target = next == track.keys.end() ? track.keys.back() : *next;
@@ -181,10 +190,17 @@ const Frames::Key* Frames::move(const Track& track, int frame, const std::string
     const bool from_scene = next == track.keys.begin();
     const Value* start = from_scene ? written_or_default(root, key) : &std::prev(next)->value;
     const int start_frame = from_scene ? 0 : std::prev(next)->frame;
+    if (!start || frame == start_frame) return nullptr;
+    if (track.property == "direction" && opposite(*start, target.value)) {
+      problems.push_back({target.value.place, target.pointer,
+                          "this direction is opposite to the one before it, and no way between them is the "
+                          "shortest; tell the way with a key between"});
+    }
     // What is wrong with the scene's own value is said where all of it is checked.
-    if (!start || !alike(*start, target.value) || frame == start_frame) return nullptr;
-    const double share = double(frame - start_frame) / double(target.frame - start_frame);
-    value = between(*start, target.value, share, track.property == "azimuth");
+    std::optional<Value> on_the_way =
+        between(track.property, *start, target.value, {frame - start_frame, target.frame - start_frame});
+    if (!on_the_way) return nullptr;
+    value = *std::move(on_the_way);
   }
   if (set_value(root, key, value)) return nullptr;  // likewise
   aliases.emplace_back(pointer_to(key), target.pointer);
@@ -195,12 +211,11 @@ void Frames::move_sun(int frame, Value& root, Aliases& aliases, std::vector<Prob
   for (const Track& track : tracks_) {
     if (!track.of_sun) continue;
     if (may_hold(root, "sun", track.property)) {
-      move(track, frame, "sun." + track.property, root, aliases);
-    } else {
-      problems.push_back(
-          {track.keys.front().value.place, track.keys.front().pointer,
-           "frames move a sun that is given by \"azimuth\" and \"elevation\"; write the scene's sun so"});
+      move(track, frame, "sun." + track.property, root, aliases, problems);
+      continue;
     }
+    for (const Key& key : track.keys)
+      problems.push_back({key.value.place, key.pointer, unfit_for_sun(root, track.property)});
   }
 }
 
@@ -214,7 +229,8 @@ void Frames::move_camera(int frame, const std::string& name, Value& root, Aliase
     if (track.of_sun || track.camera != name) continue;
     if (const std::optional<std::string> unfit = unfit_for(before, view, track.property)) {
       problems.push_back({track.keys.front().value.place, track.keys.front().pointer, *unfit});
-    } else if (const Key* key = move(track, frame, "camera." + *view + "." + track.property, root, aliases)) {
+    } else if (const Key* key =
+                   move(track, frame, "camera." + *view + "." + track.property, root, aliases, problems)) {
       moved = key;
     }
   }

@@ -45,7 +45,7 @@ class Frames {
   struct Track {
     bool of_sun = false;
     std::string camera;    ///< its name
-    std::string property;  ///< "azimuth", "eye", ...
+    std::string property;  ///< "azimuth", "time", "eye", ...
     std::vector<Key> keys;
   };
 
@@ -53,8 +53,8 @@ class Frames {
                 Report& report);
   void add(bool of_sun, const std::string& camera, const json::Value& properties, int frame,
            const std::string& pointer);
-  const Key* move(const Track& track, int frame, const std::string& key, json::Value& root,
-                  Aliases& aliases) const;
+  const Key* move(const Track& track, int frame, const std::string& key, json::Value& root, Aliases& aliases,
+                  std::vector<Problem>& problems) const;
   void move_sun(int frame, json::Value& root, Aliases& aliases, std::vector<Problem>& problems) const;
   void move_camera(int frame, const std::string& name, json::Value& root, Aliases& aliases,
                    std::vector<Problem>& problems) const;

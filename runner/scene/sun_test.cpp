@@ -120,7 +120,7 @@ TEST_F(TimedSun, MistakesAreLocated) {
       "s.json:3:17: error: /sun/time: expected a time in UTC such as 2024-06-21T12:00:00Z, got "
       "\"2024-06-21T12:00:00\": the Z at the end is missing, which says that it is UTC and no local time");
   EXPECT_EQ(sun(R"("time": "2024-06-21T12:00:00Z")"),
-            "s.json:3:17: error: /sun/time: the place is missing: give \"latitude\" and \"longitude\" beside "
+            "s.json:3:8: error: /sun: the place is missing: give \"latitude\" and \"longitude\" beside "
             "\"time\", in degrees; the terrain does not say where on the earth it lies");
   EXPECT_EQ(sun(R"("time": "2024-06-21T12:00:00Z", "latitude": 47)"),
             "s.json:3:53: error: /sun/latitude: \"latitude\" alone is no place: give \"longitude\" too");
