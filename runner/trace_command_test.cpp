@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -155,6 +156,10 @@ class TraceCommand : public ::testing::Test {
            more + R"("expect": [{"reference": {}}]})";
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(root_ / name) << text; }
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream file(root_ / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
   [[nodiscard]] Ran trace(const std::string& arguments) const {
     return testing::run_command("cd " + quote(root_.string()) + " && " + quote(GNOMON_PROGRAM) + " trace " +
                                 arguments);
@@ -176,6 +181,18 @@ TEST_F(TraceCommand, PrintsHeaderStepsAndVerdict) {
   const nlohmann::json json = nlohmann::json::parse(file);
   EXPECT_EQ(json["scene"], "one");
   EXPECT_EQ(json["walk"].size(), json["steps"]);
+}
+
+TEST_F(TraceCommand, ADashIsStandardOutputWithNothingButJson) {
+  ASSERT_EQ(trace("testcases/one.json --pixel 20,30 --json o.json > text").code, 0);
+  const Ran ran = trace("testcases/one.json --pixel 20,30 --json - 2> told");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.output, read("o.json"));
+  EXPECT_EQ(read("told"), read("text")) << "people read it on standard error";
+  EXPECT_FALSE(fs::exists(root_ / "-"));
+  EXPECT_EQ(trace("testcases/one.json --pixel 20,30 --json - > /dev/full").code, 99);
+  EXPECT_EQ(trace("testcases/one.json --pixel 20,30 --json ./-").code, 0);
+  EXPECT_EQ(read("-"), read("o.json"));
 }
 
 TEST_F(TraceCommand, MethodAndSetChangeWhatIsTraced) {
