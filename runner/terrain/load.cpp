@@ -135,6 +135,7 @@ std::optional<Diagnostic> place(const std::string& path, const GdalHeader& heade
   if (!spacing) return unreadable(path, spacing.diagnostics().front().message);
   set_spacing(loaded, spacing->metres);
   loaded.notes.push_back(spacing->how);
+  if (!spacing->warning.empty()) loaded.notes.push_back(spacing->warning);
   return std::nullopt;
 }
 
