@@ -288,7 +288,7 @@ void add_trace(CLI::App& root, TraceArguments& a) {
       ->type_name("NAME");
   add_overrides(app, a.overrides);
   app->add_option("--json", a.json,
-                  "also write the steps as JSON; - is standard output, and people read standard error")
+                  "also write the steps as JSON; - is standard output, and the text goes to standard error")
       ->type_name("FILE");
 }
 
@@ -329,7 +329,7 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
       ->type_name("FOLDER");
   add_gl_backend(app, timed.backend, timed.device);
   app->add_option("--json", timed.json,
-                  "also write the figures as JSON; - is standard output, and people read standard error")
+                  "also write the figures as JSON; - is standard output, and the tables go to standard error")
       ->type_name("FILE");
 
   root.add_subcommand("info",

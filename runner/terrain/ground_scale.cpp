@@ -65,7 +65,7 @@ class Space {
 /// How long shadows are that are reckoned in metres of the projection.
 std::string error_text(double scale) {
   const double percent = 100 * (scale - 1);
-  if (std::abs(percent) < 0.05) return "as long as they are";
+  if (std::abs(percent) < 0.05) return "right";
   return fmt::format("{:.1f} % too {}", std::abs(percent), percent < 0 ? "short" : "long");
 }
 

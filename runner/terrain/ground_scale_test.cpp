@@ -170,7 +170,7 @@ TEST_F(GroundScaleTest, ObliqueCornersAreSaidToo) {
   EXPECT_NEAR(loaded.scale.metres[0], 1, 1e-8);
   EXPECT_NEAR(loaded.scale.metres[1], std::hypot(1, lean), 1e-6);
   EXPECT_NEAR(loaded.scale.corner, std::atan2(1, lean) / kDegree, 1e-5);
-  EXPECT_SAYS(loaded.warnings(), "as long as they are from west to east");
+  EXPECT_SAYS(loaded.warnings(), "shadows come out right from west to east");
   EXPECT_SAYS(loaded.warnings(), "cross at 53.");
   EXPECT_SAYS(loaded.warnings(), "gdalwarp");
 }
