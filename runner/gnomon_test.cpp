@@ -434,6 +434,30 @@ TEST_F(Gnomon, BenchJudgesCascadesAndSaysWhereNothingCanBeWritten) {
   EXPECT_EQ(run("bench --size 64 --scene testcases/map.json").code, 2) << "methods has no map to add to";
 }
 
+TEST_F(Gnomon, BenchOffersOnlyBackEndsThatItTakes) {
+  const Ran help = run("bench --help");
+  EXPECT_EQ(help.code, 0);
+  EXPECT_SAYS(help, "osmesa. Default auto");
+  EXPECT_EQ(help.output.find("cpu"), std::string::npos) << help.output;
+  const Ran cpu = run("bench --backend cpu");
+  EXPECT_EQ(cpu.code, 2);
+  EXPECT_SAYS(cpu, "--backend: bench times OpenGL methods, which 'cpu' has none of");
+  const Ran nonsense = run("bench --backend vulkan");
+  EXPECT_EQ(nonsense.code, 2);
+  EXPECT_SAYS(nonsense, "'vulkan' is not one of auto, egl, osmesa\n");
+  EXPECT_SAYS(run("render --help"), "cpu: the oracle");
+}
+
+TEST_F(Gnomon, BenchWritesNothingButJsonOnStandardOutputWhereThatIsAskedFor) {
+  const Ran ran = run("bench --size 64 --rounds 1 --json - 2> tables");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_EQ(ran.output.rfind("{\n", 0), 0u) << ran.output;
+  EXPECT_EQ(ran.output.substr(ran.output.size() - 2), "}\n");
+  EXPECT_SAYS(ran, "\"experiment\": \"methods\"");
+  EXPECT_NE(read("tables").find("median ms"), std::string::npos);
+  EXPECT_FALSE(fs::exists(root_ / "-"));
+}
+
 TEST_F(Gnomon, AFileSizeLimitIsTheMachinesFailureAndLeavesNothing) {
   write_scene("map", R"([{"reference": {}}])");
   const Ran ran = testing::run_command("cd " + quote(root_.string()) + " && ulimit -f 1 && " +

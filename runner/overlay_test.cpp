@@ -145,6 +145,29 @@ TEST_F(Overlay, SouthUpAndGeographic) {
   expect_shadows(path(""), "a.tif", {55800.0, 111412.0});
 }
 
+// Web Mercator at 60 degrees north, where its metre is half one of the ground: the spacing that the warning
+// names gives shadows of their true length, the file's own half of it.
+TEST_F(Overlay, TheSpacingThatIsAdvisedGivesTrueLengths) {
+  const double y = 6378137 * std::asinh(std::tan(60 * std::numbers::pi / 180));
+  write_test_file(path("a.tif"), post("EPSG:3857", {1e6, 20, 0, y + 820, 0, -40}));
+  const Ran ran = render("a.tif -o o.tif --method reference --sun 180,20");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  EXPECT_SAYS(ran,
+              "spacing 20 x 40 m, by the georeference in WGS 84 / Pseudo-Mercator\n"
+              "warning: in the middle of the map a metre of WGS 84 / Pseudo-Mercator is 0.5013 m");
+  const std::size_t at = ran.output.find("--spacing ");
+  ASSERT_NE(at, std::string::npos) << ran.output;
+  const std::string spacing = ran.output.substr(at, ran.output.find(' ', at + 10) - at);
+  expect_shadow_away_from(180, reread(path("o.tif")), {1, 1});
+  for (const int azimuth : {0, 90, 180, 270}) {
+    const Ran given =
+        render("a.tif -o p.tif --method reference " + spacing + " --sun " + std::to_string(azimuth) + ",20");
+    ASSERT_EQ(given.code, 0) << given.output;
+    EXPECT_EQ(given.output.find("warning"), std::string::npos) << given.output;
+    expect_shadow_away_from(azimuth, reread(path("p.tif")), {0.50126, 0.50042});
+  }
+}
+
 TEST_F(Overlay, FeetOnTheGroundAndInHeight) {
   TestFile file = post("EPSG:2225", {6000000, 50, 0, 2000000, 0, -50});  // California zone 1, US survey feet
   for (double& height : file.values) height *= 3937.0 / 1200;

@@ -2,10 +2,12 @@
 // gnomon trace: the steps that it prints are those that the GPU took, and it answers as a command should.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -136,6 +138,72 @@ TEST(Trace, StepsAreThoseOfTheGpuUnderCameras) {
   EXPECT_LT(tally.elsewhere, tally.traced / 10);
 }
 
+/// What trace says of a mesh's view ray is told of the very pixel, and what its cell and triangle say.
+void expect_true_view(const trace::Trace& trace, const terrain::HeightMap& map, int step) {
+  ASSERT_TRUE(trace.point.mesh);
+  const trace::MeshView& view = *trace.point.mesh;
+  ASSERT_EQ(view.triangle.has_value(), trace.point.valid());
+  if (!view.triangle) return;
+  const double column = double{trace.point.ground.column[0]}, row = double{trace.point.ground.row[0]};
+  const auto& [at, columns, rows, north_western] = *view.triangle;
+  EXPECT_EQ(static_cast<float>(at[0]), trace.point.ground.column[0]);
+  EXPECT_EQ(static_cast<float>(at[1]), trace.point.ground.row[0]);
+  const double rounding = 1e-6 * std::max(map.width, map.height);
+  EXPECT_LE(columns[0], column + rounding);
+  EXPECT_GE(columns[1], column - rounding);
+  EXPECT_LE(rows[0], row + rounding);
+  EXPECT_GE(rows[1], row - rounding);
+  EXPECT_LE(columns[1] - columns[0], step);
+  // Beside or on the diagonal from the south-western to the north-eastern node.
+  const double beyond =
+      (column - columns[0]) / (columns[1] - columns[0]) + (row - rows[0]) / (rows[1] - rows[0]) - 1;
+  EXPECT_TRUE(north_western ? beyond <= 2 * rounding : beyond >= -2 * rounding) << column << ' ' << row;
+}
+
+TEST(Trace, ViewRaysOfMeshesMeetWhatIsRendered) {
+  Engine engine = testing::make_engine();
+  int seen = 0, beside = 0, sky = 0, halves[2] = {0, 0};
+  for (const bool perspective : {true, false}) {
+    for (const int step : {1, 7}) {
+      scene::Scene scene = testing::scene_over("fractal", 200, 150);
+      scene.sun = {130, 8};
+      scene.camera =
+          scene::ViewCamera{.projection = perspective ? scene::ViewCamera::Projection::kPerspective
+                                                      : scene::ViewCamera::Projection::kOrthographic,
+                            .eye = {1000, -900, 1200},
+                            .target = {1000, 800, 100},
+                            .extent = perspective ? 50.0 : 1500.0,
+                            .size = {160, 120},
+                            .mesh = scene::MeshSurface{.step = step}};
+      const Result<Rendered> rendered = engine.render(scene);
+      ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+      const image::Image& image = rendered->image;
+      for (int i = 0; i < 220; ++i) {
+        const glm::ivec2 pixel((i * 7919) % image.width, (i * 104729) % image.height);
+        const auto index = static_cast<std::size_t>(pixel.y * image.width + pixel.x);
+        const Result<trace::Trace> trace = trace::trace_pixel(scene, *rendered->map, pixel);
+        ASSERT_TRUE(trace.ok()) << to_string(trace.diagnostics().front());
+        expect_true_view(*trace, *rendered->map, step);
+        sky += !trace->point.valid();
+        beside += trace->point.valid() != (image.channels.at("valid")[index] != 0);
+        if (!trace->point.valid() || image.channels.at("valid")[index] == 0) continue;
+        ++seen;
+        ++halves[trace->point.mesh->triangle->north_western];
+        // A ray that grazes a ridge may end before or behind it, in single precision or in double.
+        const double depth = double{image.channels.at("depth")[index]};
+        const double apart = std::hypot(image.channels.at("column")[index] - trace->point.ground.column[0],
+                                        image.channels.at("row")[index] - trace->point.ground.row[0]);
+        beside += std::abs(trace->point.mesh->depth - depth) > 1e-4 * depth || apart > 0.02;
+      }
+    }
+  }
+  std::cout << "meshes: " << seen << " pixels, " << beside << " seen elsewhere by the GPU, " << sky
+            << " sky\n";
+  EXPECT_GT(seen, 400);
+  EXPECT_LT(beside, seen / 100);
+  EXPECT_GT(std::min({halves[0], halves[1], sky}), 10);
+}
+
 class TraceCommand : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -155,6 +223,10 @@ class TraceCommand : public ::testing::Test {
            more + R"("expect": [{"reference": {}}]})";
   }
   void write(const std::string& name, const std::string& text) const { std::ofstream(root_ / name) << text; }
+  [[nodiscard]] std::string read(const std::string& name) const {
+    std::ifstream file(root_ / name);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
   [[nodiscard]] Ran trace(const std::string& arguments) const {
     return testing::run_command("cd " + quote(root_.string()) + " && " + quote(GNOMON_PROGRAM) + " trace " +
                                 arguments);
@@ -176,6 +248,49 @@ TEST_F(TraceCommand, PrintsHeaderStepsAndVerdict) {
   const nlohmann::json json = nlohmann::json::parse(file);
   EXPECT_EQ(json["scene"], "one");
   EXPECT_EQ(json["walk"].size(), json["steps"]);
+}
+
+TEST_F(TraceCommand, ADashIsStandardOutputWithNothingButJson) {
+  ASSERT_EQ(trace("testcases/one.json --pixel 20,30 --json o.json > text").code, 0);
+  const Ran ran = trace("testcases/one.json --pixel 20,30 --json - 2> told");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_EQ(ran.output, read("o.json"));
+  EXPECT_EQ(read("told"), read("text")) << "people read it on standard error";
+  EXPECT_FALSE(fs::exists(root_ / "-"));
+  EXPECT_EQ(trace("testcases/one.json --pixel 20,30 --json - > /dev/full").code, 99);
+  EXPECT_EQ(trace("testcases/one.json --pixel 20,30 --json ./-").code, 0);
+  EXPECT_EQ(read("-"), read("o.json"));
+}
+
+// A plain 5 m high, seen straight down from 105 m: nodes on the samples, cells cut from south-west to
+// north-east.
+TEST_F(TraceCommand, PrintsWhereTheViewRayMeetsTheMesh) {
+  std::string heights = "[5, 5, 5, 5]";
+  heights = "[" + heights + "," + heights + "," + heights + "," + heights + "]";
+  write("testcases/mesh.json",
+        R"({"version": 1, "description": "d", "terrain": {"heights": )" + heights + R"(, "spacing": 10},
+            "sun": {"azimuth": 200, "elevation": 10}, "expect": [{"reference": {}}],
+            "camera": {"orthographic": {"eye": [20, 20, 105], "target": [20, 20, 5], "height": 60,
+                                        "size": [60, 60], "surface": "mesh"}}})");
+  const Ran ran = trace("testcases/mesh.json --pixel 26,22 --json o.json");
+  EXPECT_EQ(ran.code, 0);
+  EXPECT_SAYS(
+      ran,
+      "view     the view ray meets the mesh after 100 m at column 1.65, row 1.25, in the north-western "
+      "triangle of the cell from column 1.5 to 2.5, row 0.5 to 1.5; ");
+  nlohmann::json view = nlohmann::json::parse(read("o.json"))["view"];
+  EXPECT_NEAR(view["depth"].get<double>(), 100, 1e-9);
+  EXPECT_EQ(view["cell"], nlohmann::json({{"columns", {1.5, 2.5}}, {"rows", {0.5, 1.5}}}));
+  EXPECT_EQ(view["triangle"], "north_west");
+  EXPECT_NEAR(view["oracle"][0].get<double>(), 1.65, 1e-9);
+  EXPECT_NEAR(view["oracle"][1].get<double>(), 1.25, 1e-9);
+  EXPECT_SAYS(trace("testcases/mesh.json --pixel 33,23"), "row 1.35, in the south-eastern triangle");
+  const Ran sky = trace("testcases/mesh.json --pixel 1,1 --json o.json");
+  EXPECT_EQ(sky.code, 0);
+  EXPECT_SAYS(sky, "view     the view ray meets no triangle of the mesh\n");
+  view = nlohmann::json::parse(read("o.json"))["view"];
+  EXPECT_EQ(view,
+            nlohmann::json({{"depth", 0.0}, {"oracle", nullptr}, {"cell", nullptr}, {"triangle", nullptr}}));
 }
 
 TEST_F(TraceCommand, MethodAndSetChangeWhatIsTraced) {

@@ -20,17 +20,18 @@ namespace {
 
 /// An option whose text is one of the keys of `table`.
 template <class Value>
-void add_choice(CLI::App* app, const std::string& name, Value& value,
-                const std::map<std::string, Value>& table, const std::string& description) {
-  app->add_option_function<std::string>(
-         name,
-         [&value, &table, name](const std::string& text) {
-           const auto it = table.find(text);
-           if (it == table.end())
-             throw CLI::ValidationError(name, "'" + text + "' is not one of " + keys_of(table));
-           value = it->second;
-         },
-         description)
+CLI::Option* add_choice(CLI::App* app, const std::string& name, Value& value,
+                        const std::map<std::string, Value>& table, const std::string& description) {
+  return app
+      ->add_option_function<std::string>(
+          name,
+          [&value, &table, name](const std::string& text) {
+            const auto it = table.find(text);
+            if (it == table.end())
+              throw CLI::ValidationError(name, "'" + text + "' is not one of " + keys_of(table));
+            value = it->second;
+          },
+          description)
       ->type_name("NAME");
 }
 
@@ -85,14 +86,30 @@ void add_overrides(CLI::App* app, std::vector<std::string>& overrides) {
       ->allow_extra_args(false);
 }
 
-void add_backend(CLI::App* app, Backend& backend, std::string& device) {
-  add_choice(app, "--backend", backend, kBackends,
-             "auto: hardware by EGL, else software by EGL, else OSMesa; egl; osmesa; cpu: the oracle, no "
-             "OpenGL. Default auto");
+void add_device(CLI::App* app, std::string& device) {
   app->add_option("--device", device,
                   "which of the devices of 'gnomon info', by number or a part of its name. Default: the back "
                   "end's first that works")
       ->type_name("N|NAME");
+}
+
+const std::string kGlBackendsText = "auto: hardware by EGL, else software by EGL, else OSMesa; egl; osmesa";
+
+void add_backend(CLI::App* app, Backend& backend, std::string& device) {
+  add_choice(app, "--backend", backend, kBackends,
+             kGlBackendsText + "; cpu: the oracle, no OpenGL. Default auto");
+  add_device(app, device);
+}
+
+/// For a command that draws and does nothing else: the oracle is no back end of it.
+void add_gl_backend(CLI::App* app, Backend& backend, std::string& device) {
+  add_choice(app, "--backend", backend, kGlBackends, kGlBackendsText + ". Default auto")
+      ->check([](const std::string& text) {
+        return text == "cpu" ? "bench times OpenGL methods, which 'cpu' has none of; expected one of " +
+                                   keys_of(kGlBackends)
+                             : std::string();
+      });
+  add_device(app, device);
 }
 
 /// --device picks an OpenGL device, --backend cpu has none.
@@ -197,6 +214,7 @@ void add_render(CLI::App& root, RenderArguments& a) {
   app->add_option("-o", a.output, "what to write: .exr all channels, .png a picture, .tif b_shadow")
       ->type_name("OUT")
       ->required();
+  app->footer("--sun to --nodata go with --heightmap, --set with SCENE.");
 }
 
 void add_test_options(CLI::App* app, TestArguments& a) {
@@ -269,7 +287,9 @@ void add_trace(CLI::App& root, TraceArguments& a) {
          "follow this method instead of the scene's: " + names)
       ->type_name("NAME");
   add_overrides(app, a.overrides);
-  app->add_option("--json", a.json, "also write the steps as JSON")->type_name("FILE");
+  app->add_option("--json", a.json,
+                  "also write the steps as JSON; - is standard output, and the text goes to standard error")
+      ->type_name("FILE");
 }
 
 void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArguments& made,
@@ -283,7 +303,11 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
 
   app = root.add_subcommand("bench", "Time the methods side by side on the same work, in one run");
   std::vector<std::string> names;
-  for (const bench::Experiment& experiment : bench::experiments()) names.push_back(experiment.name);
+  std::string with_own;
+  for (const bench::Experiment& experiment : bench::experiments()) {
+    names.push_back(experiment.name);
+    if (experiment.takes_own) with_own += (with_own.empty() ? "" : ", ") + experiment.name;
+  }
   app->add_option("--experiment", timed.experiment, "what is measured. Default methods")
       ->type_name("NAME")
       ->check(CLI::IsMember(names));
@@ -297,12 +321,16 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
   app->add_option("--rounds", timed.rounds, "how often each image is drawn. Default 5")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
-  app->add_option("--scene", timed.scene, "also look at this scene's map through its camera")
+  app->add_option(
+         "--scene", timed.scene,
+         "also look at this scene's map through its camera, perspective or orthographic (" + with_own + ")")
       ->type_name("FILE");
   app->add_option("--pictures", timed.pictures, "also write each image, and where it differs from the first")
       ->type_name("FOLDER");
-  add_backend(app, timed.backend, timed.device);
-  app->add_option("--json", timed.json, "also write the figures as JSON")->type_name("FILE");
+  add_gl_backend(app, timed.backend, timed.device);
+  app->add_option("--json", timed.json,
+                  "also write the figures as JSON; - is standard output, and the tables go to standard error")
+      ->type_name("FILE");
 
   root.add_subcommand("info",
                       "Print back ends, devices, renderer, GL version, limits, versions of everything");
@@ -366,8 +394,6 @@ CommandLine parse_arguments(int argc, const char* const* argv) {
     check_device(test.backend, test.device);
     if (!bench.scene.empty() && !bench::find_experiment(bench.experiment)->takes_own)
       throw CLI::ValidationError("--scene", "the experiment '" + bench.experiment + "' has no map to add to");
-    if (bench.backend == Backend::kCpu)
-      throw CLI::ValidationError("--backend", "bench times OpenGL methods, which 'cpu' has none of");
   } catch (const CLI::ParseError& error) {
     std::ostringstream out;
     std::ostringstream err;

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "bench/experiments.h"
 #include "cli/commands.h"
-#include "gnomon/atomic_file.h"
 #include "judge/judge.h"
 #include "scene/load.h"
 #include "technique/technique.h"
@@ -181,7 +179,8 @@ Result<Trial> own_trial(const std::string& file) {
   return trial;
 }
 
-Result<Done> write_json(const BenchArguments& arguments, Engine& engine, nlohmann::json rows) {
+Result<Done> write_json(const BenchArguments& arguments, Engine& engine, nlohmann::json rows,
+                        Console& console) {
   const Result<const gl::Info*> info = engine.gl_info();
   if (!info) return info.diagnostics();
   const std::string text = nlohmann::json{{"experiment", arguments.experiment},
@@ -192,7 +191,7 @@ Result<Done> write_json(const BenchArguments& arguments, Engine& engine, nlohman
                                           {"rows", std::move(rows)}}
                                .dump(2) +
                            "\n";
-  return write_file_atomically(arguments.json, std::as_bytes(std::span(text)));
+  return write_text(console, arguments.json, text);
 }
 
 }  // namespace
@@ -223,7 +222,7 @@ int run_command(const BenchArguments& arguments, Console& console) {
       break;
     }
     ++done;
-    console.out << to_table(group, *measured) << std::flush;
+    people(console, arguments.json) << to_table(group, *measured) << std::flush;
     for (std::size_t i = 0; i < group.trials.size(); ++i)
       rows.push_back(to_json(group.trials[i], measured->figures[i], measured->pyramid_seconds));
     if (has_fault(group, *measured)) code = 1;
@@ -232,8 +231,10 @@ int run_command(const BenchArguments& arguments, Console& console) {
     if (!written) code = worse(code, report(console, written.diagnostics()));
   }
   if (arguments.json.empty() || rows.empty()) return code;
-  const Result<Done> written = write_json(arguments, engine, std::move(rows));
-  if (code > 1 && written) console.err << arguments.json << ": holds what was measured before\n";
+  const Result<Done> written = write_json(arguments, engine, std::move(rows), console);
+  if (code > 1 && written)
+    console.err << (is_stdout(arguments.json) ? "standard output" : arguments.json)
+                << ": holds what was measured before\n";
   return written ? code : worse(code, report(console, written.diagnostics()));
 }
 

@@ -13,6 +13,9 @@ namespace gnomon::cli {
 
 inline const std::map<std::string, Backend> kBackends{
     {"auto", Backend::kAuto}, {"egl", Backend::kEgl}, {"osmesa", Backend::kOsmesa}, {"cpu", Backend::kCpu}};
+/// Those that draw.
+inline const std::map<std::string, Backend> kGlBackends{
+    {"auto", Backend::kAuto}, {"egl", Backend::kEgl}, {"osmesa", Backend::kOsmesa}};
 inline const std::map<std::string, UpdateGoldens> kUpdates{{"none", UpdateGoldens::kNone},
                                                            {"missing", UpdateGoldens::kMissing},
                                                            {"changed", UpdateGoldens::kChanged},

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+
+#include "gnomon/atomic_file.h"
 
 namespace gnomon::cli {
 
@@ -18,6 +21,16 @@ int report(Console& console, const Diagnostics& diagnostics) {
     if (!diagnostic.warning) code = worse(code, static_cast<int>(diagnostic.failure));
   }
   return code;
+}
+
+std::ostream& people(Console& console, const std::string& output) {
+  return is_stdout(output) ? console.err : console.out;
+}
+
+Result<Done> write_text(Console& console, const std::string& output, const std::string& text) {
+  if (!is_stdout(output)) return write_file_atomically(output, std::as_bytes(std::span(text)));
+  console.out << text;
+  return Done{};
 }
 
 }  // namespace gnomon::cli

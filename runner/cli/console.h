@@ -29,4 +29,16 @@ struct Console {
 /// Prints every diagnostic and returns the code that follows.
 int report(Console& console, const Diagnostics& diagnostics);
 
+/// Whether an output's name is "-", which stands for standard output.
+[[nodiscard]] inline bool is_stdout(const std::string& output) {
+  return output == "-";
+}
+
+/// Where people read beside an output for programs: standard error if that one takes standard output.
+[[nodiscard]] std::ostream& people(Console& console, const std::string& output);
+
+/// Writes a text to a file, whole or not at all, or to standard output. Fails (kMachine) where it cannot be
+/// written; of standard output main says so.
+[[nodiscard]] Result<Done> write_text(Console& console, const std::string& output, const std::string& text);
+
 }  // namespace gnomon::cli

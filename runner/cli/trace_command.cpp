@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <filesystem>
-#include <span>
 
 #include "cli/commands.h"
 #include "engine.h"
-#include "gnomon/atomic_file.h"
 #include "scene/discover.h"
 #include "trace/trace.h"
 
@@ -73,17 +71,17 @@ int run_command(const TraceArguments& arguments, Console& console) {
   if (const int code = report(console, loaded.diagnostics); code != 0) return code;
   const Result<scene::Scene> scene = choose(std::move(loaded.tests), arguments);
   if (!scene) return report(console, scene.diagnostics());
-  if (!arguments.json.empty() && overwrites_input(arguments.json, *scene))
-    return report(console, {{.file = arguments.json, .message = "is what is traced: write to another file"}});
+  const std::string& json = arguments.json;
+  if (!json.empty() && !is_stdout(json) && overwrites_input(json, *scene))
+    return report(console, {{.file = json, .message = "is what is traced: write to another file"}});
   const Result<trace::Trace> traced = trace_scene(*scene, arguments);
   if (!traced) return report(console, traced.diagnostics());
-  if (!arguments.json.empty()) {
-    const std::string text = trace::to_json(*traced, *scene);
-    const Result<Done> written = write_file_atomically(arguments.json, std::as_bytes(std::span(text)));
+  if (!json.empty()) {
+    const Result<Done> written = write_text(console, json, trace::to_json(*traced, *scene));
     if (!written) return report(console, written.diagnostics());
   }
   for (const std::string& note : scene->notes) console.err << note << "\n";
-  console.out << trace::to_text(*traced, *scene);
+  people(console, json) << trace::to_text(*traced, *scene);
   return traced->walk && !traced->walk->decided() ? static_cast<int>(Failure::kFailed) : 0;
 }
 

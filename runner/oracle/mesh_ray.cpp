@@ -60,12 +60,12 @@ MeshTracer::MeshTracer(const Surface& surface, int step, bool cull_back_faces)
       columns_(nodes(surface.width, surface.domain_width, step)),
       rows_(nodes(surface.height, surface.domain_height, step)) {}
 
-std::optional<double> MeshTracer::hit_in_cell(const Track& track, int column, int row, double from,
-                                              double to) const {
+std::optional<MeshHit> MeshTracer::hit_in_cell(const Track& track, int column, int row, double from,
+                                               double to) const {
   const auto c = static_cast<std::size_t>(column), r = static_cast<std::size_t>(row);
   const double x0 = columns_[c], x1 = columns_[c + 1], y0 = rows_[r], y1 = rows_[r + 1];
   if (x1 <= x0 || y1 <= y0) return std::nullopt;
-  std::optional<double> nearest;
+  std::optional<MeshHit> nearest;
   for (const bool first : {true, false}) {
     // The corner off the diagonal, and the ends of the diagonal beside and above or below it.
     const double cx = first ? x0 : x1, cy = first ? y0 : y1;
@@ -88,12 +88,18 @@ std::optional<double> MeshTracer::hit_in_cell(const Track& track, int column, in
     const double inside_x = std::clamp(x, 0.0, surface_.domain_width);
     const double inside_y = std::clamp(y, 0.0, surface_.domain_height);
     if (!has_surface(surface_, inside_x, inside_y)) continue;
-    nearest = std::min(nearest.value_or(kInfinity), t);
+    if (nearest && nearest->t <= t) continue;
+    nearest = {.t = t, .west = x0, .east = x1, .north = y0, .south = y1, .north_western = first};
   }
   return nearest;
 }
 
 std::optional<double> MeshTracer::first_hit(const ViewRay& ray) const {
+  const std::optional<MeshHit> hit = first_triangle(ray);
+  return hit ? std::optional(hit->t) : std::nullopt;
+}
+
+std::optional<MeshHit> MeshTracer::first_triangle(const ViewRay& ray) const {
   const Track track{.column = ray.origin[0] / surface_.spacing_x,
                     .row = surface_.domain_height - ray.origin[1] / surface_.spacing_y,
                     .z = ray.origin[2],

@@ -20,6 +20,7 @@ struct Georeference {
 struct GeoreferencedSpacing {
   std::array<double, 2> metres{};  ///< between samples, west to east and north to south
   std::string how;                 ///< one sentence for a person
+  std::string warning;             ///< one more where something is wrong with the georeference, else empty
 };
 
 /// Lengths of a radian on an ellipsoid at a geodetic latitude, metres: along the parallel, along the
@@ -30,7 +31,9 @@ struct GeoreferencedSpacing {
 
 /// Projected units in metres; degrees by the radii of the coordinate system's own ellipsoid at the map's
 /// centre (`height`: rows); without a coordinate system metres are assumed, and said. Fails (without a file's
-/// name) where the system has neither lengths nor angles, or the centre is no place on the ellipsoid.
+/// name) where the system has neither lengths nor angles, or the centre is no place on the ellipsoid or lies
+/// within a row of a pole beyond which the map reaches; warns where the map reaches beyond one by more than a
+/// row.
 [[nodiscard]] Result<GeoreferencedSpacing> spacing_of(const Georeference& georeference, int height);
 
 /// Metres per unit of the coordinate system's vertical axis; 1 where it has none.

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "terrain/gdal_setup.h"
 #include "terrain/units.h"
@@ -107,6 +108,53 @@ TEST_F(GeoreferenceTest, WhatHasNoLengthIsRefusedWithTheWayOut) {
     ASSERT_FALSE(spacing.ok()) << spacing->how;
     EXPECT_NE(spacing.diagnostics()[0].message.find("--spacing"), std::string::npos);
   }
+}
+
+/// Rows of `row` degrees southward from `north`.
+Result<GeoreferencedSpacing> rows(double north, double row, int height) {
+  return spacing_of({{0, row, 0, north, 0, -row}, kWgs84}, height);
+}
+
+TEST_F(GeoreferenceTest, ARowBeyondAPoleIsNothingToSpeakOf) {
+  for (const auto& [north, row, height] : {std::tuple{90.5, 1.0, 181},
+                                           {91.0, 1.0, 100},
+                                           {-11.0, 1.0, 80},
+                                           {90.0, 0.25, 1},
+                                           {90.05, 0.1, 1801}}) {
+    const auto spacing = rows(north, row, height);
+    ASSERT_TRUE(spacing.ok()) << north << ": " << spacing.diagnostics()[0].message;
+    EXPECT_EQ(spacing->warning, "") << north;
+    EXPECT_GT(spacing->metres[0], 0);
+  }
+}
+
+TEST_F(GeoreferenceTest, EdgesBeyondAPoleAreWarnedOf) {
+  for (const auto& [north, height, reach] : {std::tuple{91.1, 80, "from latitude 11.1 to 91.1 degrees"},
+                                             {-12.0, 80, "from latitude -92 to -12 degrees"},
+                                             {100.0, 30, "from latitude 70 to 100 degrees"},
+                                             {180.0, 360, "from latitude -180 to 180 degrees"}}) {
+    const auto spacing = rows(north, 1, height);
+    ASSERT_TRUE(spacing.ok()) << north << ": " << spacing.diagnostics()[0].message;
+    EXPECT_EQ(spacing->warning.rfind("warning: ", 0), 0u) << spacing->warning;
+    EXPECT_NE(spacing->warning.find(reach), std::string::npos) << spacing->warning;
+    EXPECT_NE(spacing->warning.find("--spacing"), std::string::npos);
+  }
+}
+
+TEST_F(GeoreferenceTest, AMiddleOnOrBeyondAPoleIsRefused) {
+  for (const auto& [north, height, says] :
+       {std::tuple{120.0, 40, "lies at latitude 100 degrees, not between the poles"},
+        {-80.0, 40, "lies at latitude -100 degrees, not between the poles"},
+        {100.0, 20, "lies at latitude 90 degrees, not between the poles"},
+        {100.0, 21, "lies at latitude 89.5 degrees, less than a row from a pole"},
+        {-79.0, 21, "lies at latitude -89.5 degrees, less than a row from a pole"}}) {
+    const auto spacing = rows(north, 1, height);
+    ASSERT_FALSE(spacing.ok()) << north << ": " << spacing->how;
+    const std::string message = spacing.diagnostics()[0].message;
+    EXPECT_NE(message.find(says), std::string::npos) << message;
+    EXPECT_NE(message.find("--spacing"), std::string::npos);
+  }
+  EXPECT_TRUE(rows(100, 1, 22).ok()) << "a whole row from the pole";
 }
 
 TEST_F(GeoreferenceTest, VerticalUnits) {

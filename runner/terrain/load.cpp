@@ -12,6 +12,7 @@
 #include "image/stored_image.h"
 #include "terrain/gdal_file.h"
 #include "terrain/gdal_setup.h"
+#include "terrain/ground_scale.h"
 #include "terrain/height_builder.h"
 #include "terrain/map_place.h"
 #include "terrain/raw_file.h"
@@ -135,6 +136,10 @@ std::optional<Diagnostic> place(const std::string& path, const GdalHeader& heade
   if (!spacing) return unreadable(path, spacing.diagnostics().front().message);
   set_spacing(loaded, spacing->metres);
   loaded.notes.push_back(spacing->how);
+  if (!spacing->warning.empty()) loaded.notes.push_back(spacing->warning);
+  const GdalMessages silent;
+  if (auto warning = ground_scale_warning(*header.georeference, header.width, header.height, spacing->metres))
+    loaded.notes.push_back(*std::move(warning));
   return std::nullopt;
 }
 

@@ -57,6 +57,29 @@ TEST_F(LoadFormatsTest, RotatedMirroredAndPinnedMapsAreErrors) {
   EXPECT_SAYS(refusal(load_height_map(write("mirrored.tif", file), {})), "westward");
 }
 
+TEST_F(LoadFormatsTest, MapsBeyondAPoleAreToldByTheirFile) {
+  TestFile file = counting();
+  file.crs = "EPSG:4326";
+  file.transform = {{10, 1, 0, 89 + kHeight, 0, -1}};  // its middle at 91 degrees
+  const auto off = load_height_map(write("off.tif", file), {});
+  EXPECT_SAYS(refusal(off), "latitude 91 degrees");
+  EXPECT_EQ(off.diagnostics()[0].file, path("off.tif"));
+  const auto given = load_height_map(path("off.tif"), {.spacing = {{1000, 2000}}});
+  ASSERT_LOADS(given);
+  EXPECT_EQ(given->map.spacing_y, 2000);
+  EXPECT_TRUE(given->notes.empty()) << notes(*given);
+  file.transform = {{10, 0.5, 0, 90.5 - kHeight / 2.0, 0, 0.5}};  // from the south
+  const auto inside = load_height_map(write("inside.tif", file), {});
+  ASSERT_LOADS(inside);
+  EXPECT_EQ(notes(*inside).find("warning"), std::string::npos) << notes(*inside);
+  file.transform = {{10, 0.5, 0, 91.1, 0, -0.5}};
+  file.height = 8;
+  file.values.assign(8 * kWidth, 0);
+  const auto edge = load_height_map(write("edge.tif", file), {});
+  ASSERT_LOADS(edge);
+  EXPECT_SAYS(notes(*edge), "warning: the rows of the map reach from latitude 87.1 to 91.1 degrees");
+}
+
 TEST_F(LoadFormatsTest, WithoutGeoreferenceOneMetreIsSaid) {
   const auto loaded = load_height_map(write("a.tif", counting()), {});
   ASSERT_LOADS(loaded);

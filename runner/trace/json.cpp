@@ -36,6 +36,16 @@ ordered_json to_json(const ViewHit& view) {
           {"oracle", view.oracle ? ordered_json(*view.oracle) : ordered_json(nullptr)}};
 }
 
+ordered_json to_json(const MeshView& view) {
+  ordered_json document = {
+      {"depth", view.depth}, {"oracle", nullptr}, {"cell", nullptr}, {"triangle", nullptr}};
+  if (!view.triangle) return document;
+  document["oracle"] = view.triangle->at;
+  document["cell"] = {{"columns", view.triangle->columns}, {"rows", view.triangle->rows}};
+  document["triangle"] = view.triangle->north_western ? "north_west" : "south_east";
+  return document;
+}
+
 void add_answer(const Trace& trace, ordered_json& document) {
   const Walk& walk = *trace.walk;
   document["step_limit"] = walk.step_limit;
@@ -63,6 +73,7 @@ std::string to_json(const Trace& trace, const scene::Scene& scene) {
                            {"sun", {{"azimuth", scene.sun.azimuth}, {"elevation", scene.sun.elevation}}},
                            {"method", scene.shadow.method}};
   if (trace.point.view) document["view"] = to_json(*trace.point.view);
+  if (trace.point.mesh) document["view"] = to_json(*trace.point.mesh);
   document["b_shadow"] = 0;
   document["steps"] = 0;
   if (trace.walk) add_answer(trace, document);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "image/image.h"
+#include "oracle/mesh_ray.h"
 #include "oracle/view_ray.h"
 #include "technique/camera.h"
 #include "technique/surface.h"
@@ -62,16 +63,24 @@ float level_at(const PixelModules& modules, const Modules::GnomonHit& hit, const
                                      static_cast<float>(shadow.max_anisotropy), coarsest));
 }
 
+oracle::ViewRay oracle_ray(const technique::ViewRay& ray) {
+  return {{ray.origin.x, ray.origin.y, ray.origin.z}, {ray.direction.x, ray.direction.y, ray.direction.z}};
+}
+
+/// Column and row of origin + t * direction.
+std::array<double, 2> place_of(const terrain::HeightMap& base, const technique::ViewRay& ray, double t) {
+  const glm::dvec3 at = ray.origin + t * ray.direction;
+  return {std::clamp(at.x / base.spacing_x, 0.0, base.domain_width),
+          std::clamp(base.domain_height - at.y / base.spacing_y, 0.0, base.domain_height)};
+}
+
 std::optional<std::array<double, 2>> oracle_hit(const terrain::HeightMap& base,
                                                 const technique::CameraRays& rays, glm::ivec2 pixel) {
-  const auto [origin, direction] = rays.ray(glm::dvec2(pixel) + 0.5);
+  const technique::ViewRay ray = rays.ray(glm::dvec2(pixel) + 0.5);
   const oracle::Surface surface = technique::surface_of(base);
-  const auto hit = oracle::ViewTracer(surface).first_hit(
-      {{origin.x, origin.y, origin.z}, {direction.x, direction.y, direction.z}});
+  const auto hit = oracle::ViewTracer(surface).first_hit(oracle_ray(ray));
   if (!hit) return std::nullopt;
-  const glm::dvec3 at = origin + *hit * direction;
-  return std::array{std::clamp(at.x / base.spacing_x, 0.0, base.domain_width),
-                    std::clamp(base.domain_height - at.y / base.spacing_y, 0.0, base.domain_height)};
+  return place_of(base, ray, *hit);
 }
 
 Result<Point> seen(const scene::ViewCamera& camera, const scene::Shadow& shadow,
@@ -99,6 +108,24 @@ Result<Point> seen(const scene::ViewCamera& camera, const scene::Shadow& shadow,
   return point;
 }
 
+/// Triangles are drawn by the GPU alone: here rays in double precision meet them, a last bit beside.
+Point seen_of_mesh(const scene::ViewCamera& camera, const scene::Shadow& shadow,
+                   const terrain::HeightMap& base, glm::ivec2 pixel) {
+  const technique::ViewRay ray = technique::camera_rays(camera).ray(glm::dvec2(pixel) + 0.5);
+  const oracle::Surface surface = technique::surface_of(base);
+  const auto hit = oracle::MeshTracer(surface, camera.mesh->step, camera.mesh->cull_back_faces)
+                       .first_triangle(oracle_ray(ray));
+  Point point{.ground = technique::reference_pixel(base, camera, shadow, pixel),
+              .image_size = {camera.size[0], camera.size[1]},
+              .mesh = MeshView{}};
+  if (!hit) return point;
+  point.mesh = {
+      hit->t * glm::length(ray.direction),
+      Triangle{
+          place_of(base, ray, hit->t), {hit->west, hit->east}, {hit->north, hit->south}, hit->north_western}};
+  return point;
+}
+
 Result<Point> of_image(const Result<Ground>& ground, glm::ivec2 pixel) {
   if (!ground) return ground.diagnostics();
   if (const auto wrong = no_such_pixel(pixel, ground->size)) return *wrong;
@@ -115,11 +142,7 @@ Result<Point> any_point_of(const scene::Scene& scene, const terrain::HeightMap& 
   }
   const auto& camera = std::get<scene::ViewCamera>(scene.camera);
   if (const auto wrong = no_such_pixel(pixel, {camera.size[0], camera.size[1]})) return *wrong;
-  // Triangles are drawn by the GPU alone: here rays in double precision meet them, a last bit beside.
-  if (camera.mesh) {
-    return Point{.ground = technique::reference_pixel(base, camera, scene.shadow, pixel),
-                 .image_size = {camera.size[0], camera.size[1]}};
-  }
+  if (camera.mesh) return seen_of_mesh(camera, scene.shadow, base, pixel);
   return seen(camera, scene.shadow, base, pixel);
 }
 

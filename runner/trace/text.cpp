@@ -39,7 +39,20 @@ std::string beside_oracle(const ViewHit& view, const technique::Ground& ground, 
                      (*view.oracle)[0], (*view.oracle)[1], apart);
 }
 
+std::string seen_of_mesh(const MeshView& view) {
+  if (!view.triangle) return row("view", "the view ray meets no triangle of the mesh");
+  const Triangle& triangle = *view.triangle;
+  return row("view",
+             fmt::format("the view ray meets the mesh after {:.7g} m at column {:.9g}, row {:.9g}, in the "
+                         "{} triangle of the cell from column {:g} to {:g}, row {:g} to {:g}; in double "
+                         "precision, beside which a GPU may round",
+                         view.depth, triangle.at[0], triangle.at[1],
+                         triangle.north_western ? "north-western" : "south-eastern", triangle.columns[0],
+                         triangle.columns[1], triangle.rows[0], triangle.rows[1]));
+}
+
 std::string seen(const Trace& trace) {
+  if (trace.point.mesh) return seen_of_mesh(*trace.point.mesh);
   if (!trace.point.view) return {};
   const ViewHit& view = *trace.point.view;
   const bool valid = trace.point.valid();

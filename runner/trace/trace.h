@@ -47,7 +47,7 @@ struct Step {
   bool other_side = false;  ///< of a walk repeated on the other side of the edges that the ray runs along
 };
 
-/// What a perspective or orthographic camera's ray meets.
+/// What a perspective or orthographic camera's ray meets of the surface itself.
 struct ViewHit {
   double depth = 0;  ///< metres along the ray
   int steps = 0;     ///< patches and blocks that the view ray visited
@@ -55,11 +55,26 @@ struct ViewHit {
   std::optional<std::array<double, 2>> oracle{};
 };
 
+/// The triangle of a mesh that a ray meets.
+struct Triangle {
+  std::array<double, 2> at{};  ///< column and row of the place
+  Span columns{};              ///< of its cell, texels of the map from the west edge
+  Span rows{};                 ///< likewise, from the north edge
+  bool north_western = false;  ///< else the south-eastern half of the cell
+};
+
+/// What the ray of a camera that shows a mesh meets, in double precision.
+struct MeshView {
+  double depth = 0;                    ///< metres along the ray, 0 where it meets nothing
+  std::optional<Triangle> triangle{};  ///< where it meets one
+};
+
 /// Where a pixel's shadow is asked.
 struct Point {
   technique::Ground ground;  ///< of this pixel alone
   glm::ivec2 image_size{};
-  std::optional<ViewHit> view{};
+  std::optional<ViewHit> view{};   ///< of a camera that shows the surface itself
+  std::optional<MeshView> mesh{};  ///< of one that shows a mesh
   [[nodiscard]] bool valid() const { return ground.valid[0] != 0; }
 };
 
