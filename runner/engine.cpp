@@ -188,6 +188,8 @@ Result<const technique::Pyramid*> Engine::pyramid(const Map& map, int q, techniq
     if (!literal) return literal.diagnostics();
     pyramid.literal_extrema = std::move(literal).value();
   }
+  if (bounds == technique::Bounds::kCascades && !pyramid.height_ranges)
+    pyramid.height_ranges = technique::HeightRanges(pyramid.heights.download(), pyramid.size);
   return &pyramid;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What cameras see of the surface drawn as a mesh, held against double-precision rays and the oracle; and
 // cascaded shadow maps over it, which have to fail where they are known to and nowhere else.
+#include "technique/mesh.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +11,7 @@
 #include "oracle/mesh_ray.h"
 #include "technique/camera.h"
 #include "technique/cascades.h"
+#include "technique/casters.h"
 #include "technique/surface.h"
 #include "testing/engine_fixture.h"
 #include "testing/view_check.h"
@@ -119,6 +122,42 @@ TEST(CascadedShadowMaps, LoseWhatLiesBeyondTheirDistance) {
   const scene::Scene scene = mesh_scene(testing::views()[2], {});  // grazing
   const double whole = wrong_share(engine, scene, {.stable = false});
   EXPECT_GT(wrong_share(engine, scene, {.distance = 1000, .stable = false}), 3 * whole);
+}
+
+/// The share of a grid's cells in parts.
+double share_of(const std::vector<gl::Mesh::Part>& parts, glm::ivec2 cells) {
+  double drawn = 0;
+  for (const gl::Mesh::Part& part : parts) drawn += double(part.cells.x) * part.cells.y;
+  return drawn / (double(cells.x) * cells.y);
+}
+
+TEST(CascadedShadowMaps, HoldTheSameWhereTheyLeaveOutWhatLiesBesideThem) {
+  Engine engine = testing::make_engine();
+  double least = 1;
+  for (const Seen& seen : testing::views()) {
+    for (const scene::Sun& sun : {scene::Sun{200, 3}, scene::Sun{77, 40}}) {
+      scene::Scene scene = mesh_scene(seen, {});
+      scene.sun = sun;
+      scene.shadow.cascades = {.size = 512, .stable = false, .step = sun.elevation < 10 ? 1 : 3};
+      const Result<Rendered> rendered = engine.render(scene);
+      ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
+      const auto some = engine.pyramid(rendered->map, 0, technique::Bounds::kCascades);
+      ASSERT_TRUE(some.ok() && (*some)->height_ranges);
+      const auto all = technique::build_pyramid(engine.programs(), *rendered->map, 0);
+      ASSERT_TRUE(all.ok() && !all->height_ranges);
+      const technique::CascadeFit fit = technique::fit_cascades(scene, rendered->ground, **some);
+      const glm::ivec2 cells = technique::grid_cells(**some, scene.shadow.cascades.step);
+      for (const technique::CascadeSquare& square : fit.squares)
+        least = std::min(least, share_of(casters(**some, scene.shadow.cascades, fit, square), cells));
+      double seconds = 0;
+      const auto a = technique::draw_cascades(engine.programs(), **some, scene, rendered->ground, seconds);
+      const auto b = technique::draw_cascades(engine.programs(), *all, scene, rendered->ground, seconds);
+      ASSERT_TRUE(a.ok() && b.ok());
+      EXPECT_EQ(a->nearness.download(), b->nearness.download()) << seen.name;
+    }
+  }
+  std::cout << "the smallest share that a cascade drew: " << least << '\n';
+  EXPECT_LT(least, 0.7) << "nothing was left out";
 }
 
 TEST(CascadedShadowMaps, OfAStableFitKeepTheirTexelsWhenTheCameraTurns) {

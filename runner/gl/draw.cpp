@@ -101,17 +101,31 @@ void clear(const Framebuffer& framebuffer, const Pass& pass, const Window& windo
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// In parts: a hardware driver resets a context whose single draw takes seconds.
-void draw_mesh(const Mesh& mesh, GLuint program) {
-  constexpr int kMostVertices = 1 << 24;
-  const DepthState state(mesh.faces);
-  const int part = std::max(kMostVertices / mesh.strip_vertices, 1);
-  const GLint first_strip = glGetUniformLocation(program, "u_first_strip");
-  for (int first = 0; first < mesh.strips; first += part) {
-    glProgramUniform1i(program, first_strip, first);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, mesh.strip_vertices, std::min(part, mesh.strips - first));
+/// A hardware driver resets a context whose single draw takes seconds: no more vertices go to it at once.
+constexpr int kMostVertices = 1 << 24;
+
+/// Draws a part, whose strips may be several draws; adds its vertices to `waiting`, those not yet on their
+/// way.
+void draw_part(const Mesh::Part& part, GLuint program, GLint first_node, int& waiting) {
+  const int strip_vertices = 2 * (part.cells.x + 1);
+  const int most = std::max(kMostVertices / strip_vertices, 1);
+  for (int strip = 0; strip < part.cells.y; strip += most) {
+    const int strips = std::min(most, part.cells.y - strip);
+    glProgramUniform2i(program, first_node, part.first.x, part.first.y + strip);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, strip_vertices, strips);
+    waiting += strips * strip_vertices;
+    if (waiting < kMostVertices / 2) continue;
     glFlush();
+    waiting = 0;
   }
+}
+
+void draw_mesh(const Mesh& mesh, GLuint program) {
+  const DepthState state(mesh.faces);
+  const GLint first_node = glGetUniformLocation(program, "u_first_node");
+  int waiting = 0;
+  for (const Mesh::Part& part : mesh.parts) draw_part(part, program, first_node, waiting);
+  glFlush();
 }
 
 void draw_pass(const Framebuffer& framebuffer, const Pass& pass) {

@@ -36,11 +36,16 @@ struct BufferInput {
 enum class Faces { kAll, kFront, kBack };
 
 /// A grid of triangles, drawn as instances of one strip each: the program places vertex gl_VertexID of strip
-/// gl_InstanceID + u_first_strip, whose even vertices lie on the strip's first side. The nearest has the
-/// greatest depth; windows grow downward, so that triangles which turn clockwise there are the front ones.
+/// gl_InstanceID, counted from node u_first_node, whose even vertices lie on the strip's first side. The
+/// nearest has the greatest depth; windows grow downward, so that triangles which turn clockwise there are
+/// the front ones.
 struct Mesh {
-  int strips = 0;
-  int strip_vertices = 0;
+  /// A rectangle of the grid.
+  struct Part {
+    glm::ivec2 first{};  ///< node
+    glm::ivec2 cells{};
+  };
+  std::vector<Part> parts{};
   Faces faces = Faces::kAll;       ///< that are drawn
   const Texture* depth = nullptr;  ///< kDepth32F; cleared in the window before
   glm::vec4 background{};          ///< colour where no triangle lies

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "technique/casters.h"
 #include "technique/mesh.h"
 #include "technique/sun.h"
 
@@ -195,8 +196,9 @@ gl::Pass square_pass(const gl::Program& program, const Pyramid& pyramid, const C
   uniforms.emplace_back("u_far", static_cast<float>(fit.range));
   uniforms.emplace_back("u_first_pixel", glm::vec2(0));
   uniforms.emplace_back("u_tile_size", glm::vec2(static_cast<float>(cascades.size)));
-  gl::Mesh mesh = grid_mesh(pyramid, cascades.step, faces_of(cascades.faces));
-  mesh.depth = &nearness;
+  gl::Mesh mesh{.parts = casters(pyramid, cascades, fit, fit.squares[cascade]),
+                .faces = faces_of(cascades.faces),
+                .depth = &nearness};
   return {
       .program = &program,
       .uniforms = std::move(uniforms),

@@ -9,18 +9,28 @@
 namespace gnomon::technique {
 namespace {
 
-/// As programs/mesh.vert counts them: by the module, which asks no map for it.
-int nodes(int samples, int step) {
-  const terrain::HeightMap none;
-  return MapHost(none).gnomon_grid_nodes(samples, step);
+/// Grids are counted and placed as programs/mesh.vert does, by the module, which asks no map for it.
+const MapHost& module() {
+  static const terrain::HeightMap none;
+  static const MapHost host(none);
+  return host;
 }
 
 }  // namespace
 
+glm::ivec2 grid_cells(const Pyramid& pyramid, int step) {
+  return glm::ivec2(module().gnomon_grid_nodes(pyramid.size.x, step),
+                    module().gnomon_grid_nodes(pyramid.size.y, step)) -
+         1;
+}
+
+glm::dvec2 grid_node(const Pyramid& pyramid, int step, glm::ivec2 node) {
+  return {module().gnomon_grid_coordinate(node.x, pyramid.size.x, pyramid.domain.x, step),
+          module().gnomon_grid_coordinate(node.y, pyramid.size.y, pyramid.domain.y, step)};
+}
+
 gl::Mesh grid_mesh(const Pyramid& pyramid, int step, gl::Faces faces) {
-  return {.strips = nodes(pyramid.size.y, step) - 1,
-          .strip_vertices = 2 * nodes(pyramid.size.x, step),
-          .faces = faces};
+  return {.parts = {{.cells = grid_cells(pyramid, step)}}, .faces = faces};
 }
 
 Corners box_of(const Pyramid& pyramid) {

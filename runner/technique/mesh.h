@@ -11,7 +11,13 @@
 
 namespace gnomon::technique {
 
-/// The strips of a pyramid's level with a node on every `step`-th sample; without window and depth.
+/// Cells of the grid over a pyramid's level that has a node on every `step`-th sample.
+[[nodiscard]] glm::ivec2 grid_cells(const Pyramid& pyramid, int step);
+
+/// Where a node of it lies: column and row in texels of the level.
+[[nodiscard]] glm::dvec2 grid_node(const Pyramid& pyramid, int step, glm::ivec2 node);
+
+/// The whole of it as a mesh; without depth.
 [[nodiscard]] gl::Mesh grid_mesh(const Pyramid& pyramid, int step, gl::Faces faces);
 
 /// What programs/mesh.vert takes beside the uniforms of map and camera.

@@ -7,6 +7,7 @@
 
 #include "gl/texture.h"
 #include "gnomon/diagnostic.h"
+#include "technique/height_ranges.h"
 #include "technique/program_cache.h"
 #include "terrain/height_map.h"
 
@@ -19,6 +20,8 @@ struct Pyramid {
   /// The papers' H_ext of H_0, where a method has asked for it. RG32F, mip level k: highest and lowest over
   /// blocks of 2^(k + 1) x 2^(k + 1) texels.
   std::optional<gl::Texture> literal_extrema{};
+  /// Of H_q, where a method has asked for them.
+  std::optional<HeightRanges> height_ranges{};
   int q = 0;
   glm::ivec2 size{};    ///< samples of H_q
   glm::vec2 domain{};   ///< texels of H_q

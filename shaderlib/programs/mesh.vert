@@ -5,7 +5,7 @@
 #include "camera_pass.glsl"
 
 uniform int u_grid_step;
-uniform int u_first_strip;
+uniform ivec2 u_first_node;  // of the part of the grid that is drawn
 uniform vec2 u_tile_size;  // pixels
 uniform float u_near;      // metres along u_forward, perspective
 uniform float u_far;       // metres along u_forward, parallel rays
@@ -15,7 +15,7 @@ layout(location = 1) out vec3 v_place;  // metres from the eye
 layout(location = 2) out float v_hole;  // above 0 in triangles with a node that has no surface
 
 void main() {
-  ivec2 node = ivec2(gl_VertexID >> 1, u_first_strip + gl_InstanceID + (gl_VertexID & 1));
+  ivec2 node = u_first_node + ivec2(gl_VertexID >> 1, gl_InstanceID + (gl_VertexID & 1));
   GnomonMap map = pass_map();
   v_at = vec2(gnomon_grid_coordinate(node.x, map.size.x, map.domain.x, u_grid_step),
               gnomon_grid_coordinate(node.y, map.size.y, map.domain.y, u_grid_step));
