@@ -33,22 +33,32 @@ void find_asking(const Ground& ground, int q, glm::ivec2 first, std::vector<Plac
   }
 }
 
+/// The upper left pixels of an image's squares, those of a district one after the other: pixels that close up
+/// come from near each other.
+std::vector<glm::ivec2> squares_of(glm::ivec2 image) {
+  constexpr int kDistrict = 8 * kSquare;
+  std::vector<glm::ivec2> squares;
+  for (int north = 0; north < image.y; north += kDistrict)
+    for (int west = 0; west < image.x; west += kDistrict)
+      for (int y = north; y < std::min(north + kDistrict, image.y); y += kSquare)
+        for (int x = west; x < std::min(west + kDistrict, image.x); x += kSquare) squares.emplace_back(x, y);
+  return squares;
+}
+
 /// The pixels that ask for level q, square after square. Those of a square keep their places in it where they
 /// fill half of it: one that is missing must not move all that follow out of their groups. The others close
 /// up.
 Pixels in_squares(const Ground& ground, int q) {
   Pixels squares, loose;
   std::vector<Place> asking;
-  for (int y = 0; y < ground.size.y; y += kSquare) {
-    for (int x = 0; x < ground.size.x; x += kSquare) {
-      find_asking(ground, q, {x, y}, asking);
-      if (2 * asking.size() < kTexels) {
-        for (const Place& place : asking) loose.push_back(place.pixel);
-        continue;
-      }
-      squares.resize(squares.size() + kTexels, asking.front().pixel);
-      for (const Place& place : asking) squares[squares.size() - kTexels + place.texel] = place.pixel;
+  for (const glm::ivec2 square : squares_of(ground.size)) {
+    find_asking(ground, q, square, asking);
+    if (2 * asking.size() < kTexels) {
+      for (const Place& place : asking) loose.push_back(place.pixel);
+      continue;
     }
+    squares.resize(squares.size() + kTexels, asking.front().pixel);
+    for (const Place& place : asking) squares[squares.size() - kTexels + place.texel] = place.pixel;
   }
   squares.insert(squares.end(), loose.begin(), loose.end());
   if (!squares.empty()) squares.resize((squares.size() + kTexels - 1) / kTexels * kTexels, squares.back());
