@@ -171,7 +171,11 @@ std::vector<Trial> stress(const Options& options) {
       all.push_back(std::move(trial));
     }
   }
-  if (options.own) all.push_back(*options.own);
+  if (options.own) {
+    all.push_back(*options.own);
+    scene::Sun& sun = all.back().scene.sun;
+    sun.elevation = options.elevation.value_or(sun.elevation);
+  }
   return all;
 }
 

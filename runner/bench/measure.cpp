@@ -132,6 +132,18 @@ Result<Done> judge_round(const Bench& bench, std::vector<Figure>& figures) {
   });
 }
 
+/// Draws of a few milliseconds depend on how the system happens to spread their threads: they need more
+/// rounds.
+bool enough(const std::vector<Figure>& figures, std::size_t rounds) {
+  constexpr std::size_t kMost = 50;
+  constexpr double kLong = 0.25;  // seconds
+  const std::size_t drawn = figures.front().seconds.size();
+  double seconds = 0;
+  for (const Figure& figure : figures)
+    seconds = std::accumulate(figure.seconds.begin(), figure.seconds.end(), seconds);
+  return drawn >= rounds && (drawn >= kMost || seconds >= kLong);
+}
+
 }  // namespace
 
 Result<Measured> measure(Engine& engine, const Group& group, int rounds,
@@ -146,7 +158,7 @@ Result<Measured> measure(Engine& engine, const Group& group, int rounds,
   const Bench bench{engine, group, interrupted, *map};
   if (const auto judged = judge_round(bench, measured.figures); !judged) return judged.diagnostics();
   std::vector<std::vector<double>> views(group.trials.size());
-  for (int round = 0; round < rounds; ++round) {
+  while (!enough(measured.figures, static_cast<std::size_t>(rounds))) {
     const Result<Done> drawn = draw_round(bench, [&](std::size_t i, const Drawn& trial) -> Result<Done> {
       measured.figures[i].seconds.push_back(trial.seconds);
       views[i].push_back(trial.view.seconds);

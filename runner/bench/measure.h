@@ -44,7 +44,8 @@ struct Measured {
 };
 
 /// Draws each trial `rounds` times, in turn: A B C A B C ... after one round that warms up, whose images are
-/// judged. Fails with kInterrupted once `interrupted` is set.
+/// judged; and oftener, up to 50 times, until all draws together have taken a quarter of a second.
+/// Fails with kInterrupted once `interrupted` is set.
 [[nodiscard]] Result<Measured> measure(Engine& engine, const Group& group, int rounds,
                                        const std::atomic<bool>& interrupted);
 

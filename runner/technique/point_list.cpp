@@ -11,7 +11,10 @@ namespace {
 /// Texels a side of the squares that groups lie in.
 constexpr int kSquare = 8;
 constexpr std::size_t kTexels = std::size_t{kSquare} * kSquare;
-constexpr int kMostSquares = kTile / kSquare;  ///< on a side of a list
+constexpr int kMostSquares = kTile / kSquare;  ///< across a list
+/// A picture of 1920 x 1080 fits, whatever its levels: what is left over for a list of its own takes long, as
+/// little of it is drawn at once.
+constexpr int kMostRows = 2 * kTile + kTile / 8;
 
 using Pixels = std::vector<std::size_t>;
 
@@ -33,16 +36,47 @@ void find_asking(const Ground& ground, int q, glm::ivec2 first, std::vector<Plac
   }
 }
 
-/// The upper left pixels of an image's squares, those of a district one after the other: pixels that close up
-/// come from near each other.
+/// Places in a square of kSquare x kSquare along a Z curve: neighbours in it are neighbours in the square,
+/// and its groups of 8, 16 and 32 are rectangles of 4 x 2, 4 x 4 and 8 x 4.
+glm::ivec2 on_z_curve(std::size_t k) {
+  return {(k & 1) | (k >> 1 & 2) | (k >> 2 & 4), (k >> 1 & 1) | (k >> 2 & 2) | (k >> 3 & 4)};
+}
+
+/// Adds pixels that close up, in whole squares.
+void add_loose(const Pixels& loose, Pixels& squares) {
+  for (std::size_t first = 0; first < loose.size(); first += kTexels) {
+    squares.resize(squares.size() + kTexels, loose.back());
+    for (std::size_t k = 0; k < std::min(kTexels, loose.size() - first); ++k) {
+      const glm::ivec2 at = on_z_curve(k);
+      squares[squares.size() - kTexels + static_cast<std::size_t>(at.y * kSquare + at.x)] = loose[first + k];
+    }
+  }
+}
+
+/// The upper left pixels of an image's squares, those of a district of 8 x 8 one after the other: pixels that
+/// close up come from near each other.
 std::vector<glm::ivec2> squares_of(glm::ivec2 image) {
-  constexpr int kDistrict = 8 * kSquare;
+  constexpr int kDistrict = kSquare * kSquare;
   std::vector<glm::ivec2> squares;
-  for (int north = 0; north < image.y; north += kDistrict)
-    for (int west = 0; west < image.x; west += kDistrict)
-      for (int y = north; y < std::min(north + kDistrict, image.y); y += kSquare)
-        for (int x = west; x < std::min(west + kDistrict, image.x); x += kSquare) squares.emplace_back(x, y);
+  for (int north = 0; north < image.y; north += kDistrict) {
+    for (int west = 0; west < image.x; west += kDistrict) {
+      for (std::size_t k = 0; k < kTexels; ++k) {
+        const glm::ivec2 first = glm::ivec2(west, north) + on_z_curve(k) * kSquare;
+        if (first.x < image.x && first.y < image.y) squares.push_back(first);
+      }
+    }
+  }
   return squares;
+}
+
+/// Adds a square whose pixels keep their places; a neighbour stands in for one that is missing, as its
+/// walk holds up none beside it.
+void add_square(const std::vector<Place>& asking, Pixels& squares) {
+  std::size_t next = 0, pixel = asking.front().pixel;
+  for (std::size_t texel = 0; texel < kTexels; ++texel) {
+    if (next < asking.size() && asking[next].texel == texel) pixel = asking[next++].pixel;
+    squares.push_back(pixel);
+  }
 }
 
 /// The pixels that ask for level q, square after square. Those of a square keep their places in it where they
@@ -53,15 +87,13 @@ Pixels in_squares(const Ground& ground, int q) {
   std::vector<Place> asking;
   for (const glm::ivec2 square : squares_of(ground.size)) {
     find_asking(ground, q, square, asking);
-    if (2 * asking.size() < kTexels) {
+    if (2 * asking.size() >= kTexels) {
+      add_square(asking, squares);
+    } else {
       for (const Place& place : asking) loose.push_back(place.pixel);
-      continue;
     }
-    squares.resize(squares.size() + kTexels, asking.front().pixel);
-    for (const Place& place : asking) squares[squares.size() - kTexels + place.texel] = place.pixel;
   }
-  squares.insert(squares.end(), loose.begin(), loose.end());
-  if (!squares.empty()) squares.resize((squares.size() + kTexels - 1) / kTexels * kTexels, squares.back());
+  add_loose(loose, squares);
   return squares;
 }
 
@@ -99,9 +131,9 @@ std::vector<PointList> point_lists(const Ground& ground, const std::set<int>& le
   for (const int q : levels) {
     Pixels rest = in_squares(ground, q);
     while (!rest.empty()) {
-      if (lists.empty() || size_of(lists.back()).y == kTile) lists.emplace_back();
+      if (lists.empty() || size_of(lists.back()).y == kMostRows) lists.emplace_back();
       const int row = size_of(lists.back()).y;
-      const std::size_t room = static_cast<std::size_t>(kTile - row) * kTile;
+      const std::size_t room = static_cast<std::size_t>(kMostRows - row) * kTile;
       const Pixels::iterator end = rest.begin() + static_cast<std::ptrdiff_t>(std::min(room, rest.size()));
       lists.back().push_back(band_of(q, Pixels(rest.begin(), end), row));
       rest.erase(rest.begin(), end);

@@ -29,7 +29,7 @@ struct Band {
 /// The bands of one texture; they do not overlap.
 using PointList = std::vector<Band>;
 
-/// Texels of its texture, at most kTile a side.
+/// Texels of its texture, at most kTile across and somewhat over twice that down.
 [[nodiscard]] glm::ivec2 size_of(const PointList& list);
 
 /// Every valid pixel of `ground` that asks for one of `levels`; none where there is no such pixel.

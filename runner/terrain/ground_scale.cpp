@@ -99,9 +99,8 @@ std::optional<std::string> ground_scale_warning(const Georeference& georeference
   std::string text = fmt::format(
       "warning: in the middle of the map a metre of {} is {:.4f} m on the ground from west to east and "
       "{:.4f} m from north to south, and the spacing is the projection's: shadows come out {} from west to "
-      "east, {} from north to south; for distances on the ground give --spacing {:.8g},{:.8g} (\"spacing\" "
-      "in "
-      "a scene)",
+      "east, {} from north to south; for distances on the ground give --spacing {:.8g},{:.8g} "
+      "(\"spacing\" in a scene)",
       name_of(horizontal(georeference.crs)), x, y, error_text(x), error_text(y), spacing[0] * x,
       spacing[1] * y);
   if (std::abs(scale->corner - 90) > kCorner)
