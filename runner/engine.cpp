@@ -189,7 +189,8 @@ Result<const technique::Pyramid*> Engine::pyramid(const Map& map, int q, techniq
     pyramid.literal_extrema = std::move(literal).value();
   }
   if (bounds == technique::Bounds::kCascades && !pyramid.height_ranges)
-    pyramid.height_ranges = technique::HeightRanges(pyramid.heights.download(), pyramid.size);
+    pyramid.height_ranges = q == 0 ? technique::HeightRanges(map->samples, pyramid.size)
+                                   : technique::HeightRanges(pyramid.heights.download(), pyramid.size);
   return &pyramid;
 }
 

@@ -318,7 +318,8 @@ void add_small_commands(CLI::App& root, ValidateArguments& validate, NewArgument
   add_number(
       app, "--elevation", "DEGREES", 0.1, 89.9, [&timed](double v) { timed.elevation = v; },
       "of the sun, degrees. Default: the experiment's own");
-  app->add_option("--rounds", timed.rounds, "how often each image is drawn; quick ones oftener. Default 5")
+  app->add_option("--rounds", timed.rounds,
+                  "how often each image is drawn at least; quick ones oftener. Default 5")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
   app->add_option(

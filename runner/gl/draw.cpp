@@ -101,8 +101,10 @@ void clear(const Framebuffer& framebuffer, const Pass& pass, const Window& windo
   glDisable(GL_SCISSOR_TEST);
 }
 
-/// A hardware driver resets a context whose single draw takes seconds: no more vertices go to it at once.
+/// A hardware driver resets a context whose single draw takes seconds: not many more vertices or pixels go to
+/// it at once.
 constexpr int kMostVertices = 1 << 24;
+constexpr int kMostPixels = 1 << 20;
 
 /// Draws a part, whose strips may be several draws; adds its vertices to `waiting`, those not yet on their
 /// way.
@@ -148,7 +150,16 @@ Result<Done> draw(std::span<const Pass> passes) {
                       .failure = Failure::kMachine};
   }
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer.name());
-  for (const Pass& pass : passes) draw_pass(framebuffer, pass);
+  int waiting = 0;  // pixels
+  for (const Pass& pass : passes) {
+    const glm::ivec2 size = window_of(pass).size;
+    waiting += size.x * size.y;
+    if (waiting > kMostPixels) {
+      glFlush();
+      waiting = size.x * size.y;
+    }
+    draw_pass(framebuffer, pass);
+  }
   glFinish();
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return Done{};

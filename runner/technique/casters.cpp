@@ -38,9 +38,13 @@ bool touches(const Box& box, const dvec3& origin, const dvec3& axis, double from
   return middle + reach >= from && middle - reach <= to;
 }
 
-bool casts(const Box& box, const CascadeFit& fit, const CascadeSquare& square, int size) {
-  // A texel, and what single precision may move a vertex.
-  const double room = square.texel + 1e-5 * (fit.range + glm::length(fit.origin));
+/// A texel, and more than single precision may move a vertex of the map as the sun sees it.
+double room_around(const Pyramid& pyramid, const CascadeFit& fit, const CascadeSquare& square) {
+  const double across = glm::length(glm::dvec2(pyramid.domain) * glm::dvec2(pyramid.spacing));
+  return square.texel + 1e-5 * (fit.range + glm::length(fit.origin) + across);
+}
+
+bool casts(const Box& box, const CascadeFit& fit, const CascadeSquare& square, int size, double room) {
   const glm::dvec2 from = square.corner - room, to = square.corner + size * square.texel + room;
   return touches(box, fit.origin, fit.right, from.x, to.x) &&
          touches(box, fit.origin, fit.down, from.y, to.y);
@@ -64,12 +68,13 @@ std::vector<gl::Mesh::Part> casters(const Pyramid& pyramid, const scene::Cascade
                                     const CascadeFit& fit, const CascadeSquare& square) {
   const glm::ivec2 cells = grid_cells(pyramid, cascades.step);
   if (!pyramid.height_ranges) return {{.cells = cells}};
+  const double room = room_around(pyramid, fit, square);
   std::vector<gl::Mesh::Part> parts;
   for (int y = 0; y < cells.y; y += kCells) {
     for (int x = 0; x < cells.x; x += kCells) {
       const gl::Mesh::Part part{{x, y}, glm::min(glm::ivec2(kCells), cells - glm::ivec2(x, y))};
       const std::optional<Box> box = box_of(pyramid, cascades.step, part);
-      if (box && casts(*box, fit, square, cascades.size)) add(parts, part);
+      if (box && casts(*box, fit, square, cascades.size, room)) add(parts, part);
     }
   }
   return parts;

@@ -12,8 +12,8 @@ namespace {
 constexpr int kSquare = 8;
 constexpr std::size_t kTexels = std::size_t{kSquare} * kSquare;
 constexpr int kMostSquares = kTile / kSquare;  ///< across a list
-/// A picture of 1920 x 1080 fits, whatever its levels: what is left over for a list of its own takes long, as
-/// little of it is drawn at once.
+/// A picture of 1920 x 1080 fits where its levels lie in areas, as they do: what is left over for a list of
+/// its own takes long, as little of it is drawn at once.
 constexpr int kMostRows = 2 * kTile + kTile / 8;
 
 using Pixels = std::vector<std::size_t>;
@@ -80,14 +80,14 @@ void add_square(const std::vector<Place>& asking, Pixels& squares) {
 }
 
 /// The pixels that ask for level q, square after square. Those of a square keep their places in it where they
-/// fill half of it: one that is missing must not move all that follow out of their groups. The others close
+/// fill most of it: one that is missing must not move all that follow out of their groups. The others close
 /// up.
 Pixels in_squares(const Ground& ground, int q) {
   Pixels squares, loose;
   std::vector<Place> asking;
   for (const glm::ivec2 square : squares_of(ground.size)) {
     find_asking(ground, q, square, asking);
-    if (2 * asking.size() >= kTexels) {
+    if (2 * asking.size() > kTexels) {
       add_square(asking, squares);
     } else {
       for (const Place& place : asking) loose.push_back(place.pixel);
@@ -133,7 +133,8 @@ std::vector<PointList> point_lists(const Ground& ground, const std::set<int>& le
     while (!rest.empty()) {
       if (lists.empty() || size_of(lists.back()).y == kMostRows) lists.emplace_back();
       const int row = size_of(lists.back()).y;
-      const std::size_t room = static_cast<std::size_t>(kMostRows - row) * kTile;
+      // A band is one draw, which must not take longer than that of a tile.
+      const std::size_t room = static_cast<std::size_t>(std::min(kMostRows - row, kTile)) * kTile;
       const Pixels::iterator end = rest.begin() + static_cast<std::ptrdiff_t>(std::min(room, rest.size()));
       lists.back().push_back(band_of(q, Pixels(rest.begin(), end), row));
       rest.erase(rest.begin(), end);
