@@ -21,8 +21,6 @@ using terrain::test::reread;
 using terrain::test::TestFile;
 using testing::Ran;
 
-#define EXPECT_SAYS(ran, text) EXPECT_NE((ran).output.find(text), std::string::npos) << (ran).output
-
 constexpr int kWidth = 61;
 constexpr int kHeight = 41;
 constexpr int kHillColumn = 30;

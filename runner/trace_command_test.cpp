@@ -115,21 +115,26 @@ TEST(Trace, StepsAreThoseOfTheGpuAmongHoles) {
   EXPECT_GT(tally.traced, 500);
 }
 
+/// A fractal map before a camera.
+scene::Scene seen_fractal(bool perspective) {
+  scene::Scene scene = testing::scene_over("fractal", 200, 150);
+  scene.sun = {130, 8};
+  scene.camera = scene::ViewCamera{.projection = perspective ? scene::ViewCamera::Projection::kPerspective
+                                                             : scene::ViewCamera::Projection::kOrthographic,
+                                   .eye = {1000, -900, 1200},
+                                   .target = {1000, 800, 100},
+                                   .extent = perspective ? 50.0 : 1500.0,
+                                   .size = {160, 120}};
+  return scene;
+}
+
 TEST(Trace, StepsAreThoseOfTheGpuUnderCameras) {
   Engine engine = testing::make_engine();
   Tally tally;
   for (const bool perspective : {true, false}) {
     for (const std::optional<int> q : {std::optional<int>(0), std::optional<int>(1), std::optional<int>()}) {
-      scene::Scene scene = testing::scene_over("fractal", 200, 150);
-      scene.sun = {130, 8};
+      scene::Scene scene = seen_fractal(perspective);
       scene.shadow.q = q;
-      scene.camera =
-          scene::ViewCamera{.projection = perspective ? scene::ViewCamera::Projection::kPerspective
-                                                      : scene::ViewCamera::Projection::kOrthographic,
-                            .eye = {1000, -900, 1200},
-                            .target = {1000, 800, 100},
-                            .extent = perspective ? 50.0 : 1500.0,
-                            .size = {160, 120}};
       expect_steps_of_the_gpu(engine, scene, tally, 220);
     }
   }
@@ -165,16 +170,8 @@ TEST(Trace, ViewRaysOfMeshesMeetWhatIsRendered) {
   int seen = 0, beside = 0, sky = 0, halves[2] = {0, 0};
   for (const bool perspective : {true, false}) {
     for (const int step : {1, 7}) {
-      scene::Scene scene = testing::scene_over("fractal", 200, 150);
-      scene.sun = {130, 8};
-      scene.camera =
-          scene::ViewCamera{.projection = perspective ? scene::ViewCamera::Projection::kPerspective
-                                                      : scene::ViewCamera::Projection::kOrthographic,
-                            .eye = {1000, -900, 1200},
-                            .target = {1000, 800, 100},
-                            .extent = perspective ? 50.0 : 1500.0,
-                            .size = {160, 120},
-                            .mesh = scene::MeshSurface{.step = step}};
+      scene::Scene scene = seen_fractal(perspective);
+      std::get<scene::ViewCamera>(scene.camera).mesh = scene::MeshSurface{.step = step};
       const Result<Rendered> rendered = engine.render(scene);
       ASSERT_TRUE(rendered.ok()) << to_string(rendered.diagnostics().front());
       const image::Image& image = rendered->image;
@@ -234,8 +231,6 @@ class TraceCommand : public ::testing::Test {
 
   fs::path root_;
 };
-
-#define EXPECT_SAYS(ran, text) EXPECT_NE((ran).output.find(text), std::string::npos) << (ran).output
 
 TEST_F(TraceCommand, PrintsHeaderStepsAndVerdict) {
   const Ran ran = trace("testcases/one.json --pixel 20,30 --json o.json");

@@ -2,6 +2,7 @@
 // Programs as a user meets them: exit code and all that they print.
 #pragma once
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -29,3 +30,5 @@ inline Ran run_command(const std::string& command) {
 }
 
 }  // namespace gnomon::testing
+
+#define EXPECT_SAYS(ran, text) EXPECT_NE((ran).output.find(text), std::string::npos) << (ran).output
